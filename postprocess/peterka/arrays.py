@@ -1,4 +1,4 @@
-"""Kinds of arrays in hints. Their shapes and units stand in the docstrings."""
+"""Array types for annotations. Shapes and units are stated in the docstrings."""
 
 from typing import Any
 

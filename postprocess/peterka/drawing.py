@@ -1,4 +1,4 @@
-"""Pictures of datasets, by name."""
+"""Draws pictures of datasets, by name."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,21 +11,22 @@ from .pictures import open_file, pictures_of
 
 
 def picture_names(data: xarray.Dataset) -> list[str]:
-    """Of all pictures that a dataset of a file gives, the most general one first."""
+    """Names of all pictures that a dataset of a file provides, the most general one first. Raises PeterkaFileError if `data` is not
+    a valid dataset of such a file."""
     with open_file(data) as file:
         return list(pictures_of(file))
 
 
 def draw(data: xarray.Dataset, name: str | None = None, ax: Axes | None = None,
          **options: Any) -> Axes | Sequence[Axes] | None:
-    """Draws a picture of a dataset that open() or run() gave, or of a part of one.
+    """Draws a picture of a dataset returned by open() or run(), or of a part of one.
 
-    `name`: one of picture_names(data), the first one where there is none. `ax`: Axes made by subplots(), whose place the
-    picture takes with its legends and scales; without it a figure of its own, ax.figure. `options`: fields of
-    plotting.style.Style (width [mm], dpi, font, title, limits, log, palette "colour" or "grey", units "both", "si" or
-    "ratio"), `cycles` of a basin's short run, `measured` points of a sweep. Returns the Axes, a list of them where the
-    picture has several panels, None where there is nothing to draw. Coordinates of the Axes are the ratios of the file,
-    in whatever units its scales are."""
+    `name`: one of picture_names(data); by default the first. `ax`: Axes made by subplots(), whose place the picture takes
+    with its legends and scales; by default a new figure, ax.figure. `options`: fields of plotting.style.Style (width [mm],
+    dpi, font, title, limits, log, palette "colour" or "grey", units "both", "si" or "ratio"), `cycles` of a basin's short
+    run, `measured` points of a sweep. Returns the Axes, a list of them for a picture with several panels, None if there is
+    nothing to draw. The coordinates of the Axes are the file's ratios, whatever units the scales show. Raises ValueError for
+    an unknown name, PeterkaFileError if `data` is not a valid dataset of a file."""
     changes = {key: options.pop(key) for key in NAMES & options.keys()}
     with using(**changes), open_file(data) as file:
         pictures = pictures_of(file, **options)

@@ -1,12 +1,12 @@
-"""What is raised for users: one class for all that is peterka's own, one for a job, one for a file."""
+"""Exceptions raised for users: the base class PeterkaError, and one each for jobs and files."""
 
 
 class PeterkaError(Exception):
-    """The program could not do what it was asked for; the message is its own."""
+    """The program could not do what was requested; the message is the program's own."""
 
 
 class JobError(PeterkaError):
-    """A job with faults: `faults` has all of them, one text each, with line and column where they have one."""
+    """A faulty job: `faults` lists all faults, one text each, with line and column if known."""
 
     def __init__(self, faults: list[str]) -> None:
         super().__init__("\n".join(faults))
@@ -14,4 +14,4 @@ class JobError(PeterkaError):
 
 
 class PeterkaFileError(PeterkaError):
-    """The file is not one of peterka's, is damaged or unfinished, or has not what is asked for; the message says so in one line."""
+    """The file is not one of peterka's, is damaged or incomplete, or lacks what was requested; the message is one line."""

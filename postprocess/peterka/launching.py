@@ -1,7 +1,7 @@
-"""The program started and watched: its words, how far it is, and an interrupt that it hears of.
+"""Starts the program and watches its output and progress; passes interrupts on to it.
 
-On a terminal the program shows a bar, "\\r[####......]  41.3 %  5,432 cells/s  ETA 2 s"; so its stderr is one here, and what
-follows a carriage return is how far it is, all else its words.
+On a terminal the program shows a bar, "\\r[####......]  41.3 %  5,432 cells/s  ETA 2 s"; so its stderr is a pseudo-terminal
+here: what follows a carriage return is progress, all else is messages.
 """
 
 import os
@@ -22,7 +22,7 @@ AT_ONCE = 1 << 16
 
 @dataclass(frozen=True)
 class Finished:
-    """The exit code of a program, and what it wrote."""
+    """The exit code of a program and its output."""
 
     code: int
     stdout: str
@@ -30,10 +30,10 @@ class Finished:
 
 
 def launch(command: Sequence[str], environment: Mapping[str, str], progress: Progress = False) -> Finished:
-    """Runs a program to its end. `progress`: True shows its bar on our stderr; a function is called with the share that is
-    done, 0 to 1, where that changes; False: nothing. Upon KeyboardInterrupt the program is interrupted, too, and waited for."""
+    """Runs a program to its end. `progress`: True shows its bar on our stderr; a function is called with the finished share,
+    0 to 1, whenever it changes; False: nothing. On KeyboardInterrupt the program is interrupted too, and waited for."""
     ours, its = pty.openpty()
-    tty.setraw(its)  # lines end as they were written
+    tty.setraw(its)  # keeps line ends as written
     try:
         process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=its)
         os.close(its)
@@ -73,7 +73,7 @@ def _listen(process, terminal, bar):
 def _read(descriptor):
     try:
         return os.read(descriptor, AT_ONCE)
-    except OSError:  # a terminal that nobody has open any more
+    except OSError:  # the other end of the terminal is closed
         return b""
 
 
@@ -82,13 +82,13 @@ def _without_bar(text):
 
 
 class _Bar:
-    """Tells how far a program is, by the end of what it wrote last."""
+    """Reports a program's progress, from the end of its latest output."""
 
     def __init__(self, progress):
         self.progress, self.rest, self.told = progress, b"", None
 
     def look_at(self, piece):
-        """piece: what the program wrote; nothing when it has ended."""
+        """piece: the program's output; empty once it has ended."""
         if self.progress is False:
             return
         *lines, self.rest = re.split(rb"[\r\n]+", self.rest + piece)

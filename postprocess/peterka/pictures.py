@@ -1,6 +1,6 @@
 """Which pictures a file gives: the one place that knows them all. A new picture is a row of PICTURES.
 
-Each is drawn by a function draw(data, ax=None, ...) of look.picture: data an open file or a dataset, ax where to.
+Each is drawn by a function draw(data, ax=None, ...) of plotting.picture: data an open file or a dataset, ax where to.
 """
 
 from collections.abc import Callable, Sequence
@@ -31,8 +31,8 @@ READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "trace"
 
 @dataclass(frozen=True)
 class Row:
-    """A picture: its name after the file's stem, the kinds of files that give it, its function, whether such a file has
-    what it needs, and which options of the caller it takes."""
+    """A picture: its name after the file's stem, the kinds of files that provide it, its drawing function, a test for the
+    data it needs, and the caller's options that it accepts."""
 
     name: str
     kinds: tuple[str, ...]
@@ -92,14 +92,14 @@ PICTURES = [
 
 
 def open_file(source: Source) -> OpenedFile:
-    """The file at a path, or what an xarray.Dataset has of one, checked by the reader of its kind."""
+    """Opens a path, or an xarray.Dataset of a file, with the checked reader of its kind. Raises PeterkaFileError."""
     with OpenedFile(source) as header:
         reader = READERS[header.kind]
     return reader(source)
 
 
 def picture_name(file: OpenedFile, name: str) -> str:
-    """Of a picture's file without its suffix; a study's file often has its topic in its name already."""
+    """Stem of the picture's file name; a study's file often has its topic in its name already."""
     stem = file.path.stem
     return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
 
@@ -107,9 +107,9 @@ def picture_name(file: OpenedFile, name: str) -> str:
 def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
                 borders: Sequence[Border] = NO_BORDERS,
                 unstable: Sequence[UnstableBranch] = NO_UNSTABLE) -> dict[str, Callable]:
-    """{name: draw(file, ax=None)} of all pictures of an open file, each of which may still find nothing to draw. `cycles`:
-    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map, `borders` and `unstable` orbits
-    over those of a sweep."""
+    """{name: draw(file, ax=None)} of all pictures of an open file; each may still find nothing to draw. `cycles`: length of
+    the short run whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map; `borders` and
+    `unstable` orbits: over those of a sweep."""
     options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable}
     return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
             for row in PICTURES if file.kind in row.kinds and row.has(file)}

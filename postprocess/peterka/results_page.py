@@ -1,4 +1,4 @@
-"""The results page: what studies and map files say, in Markdown, with the pictures that lie beside it."""
+"""The results page in Markdown: findings of studies and map files, with the pictures beside it."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ same machine, so that they hold elsewhere, too."""
 
 
 def page(files: Sequence[OpenedFile]) -> str:
-    """The text for these open files; studies of one topic and any number of maps."""
+    """The page's text for these open files: studies, one per topic, and any number of maps."""
     sections = [INTRODUCTION]
     for topic, write in (("work_precision", _work_precision), ("labels", _labels), ("stability", _stability)):
         sections += [write(file) for file in files if isinstance(file, StudyFile) and file.topic == topic]
@@ -84,7 +84,7 @@ def _omitted(maps):
 
 
 def _audit_sentence(audit):
-    """Why that was safe: what an engine that leaves nothing out found in a sample of the cells."""
+    """Evidence that skipping cells was safe: what an engine that skips nothing found in a sample of the cells."""
     if audit is None or audit.count == 0:
         return "No cell of this map was audited."
     errors = compared_errors(audit.force_error)

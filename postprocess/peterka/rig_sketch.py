@@ -1,4 +1,4 @@
-"""A sketch of the rig with its coordinates and their signs, as jobs, files and pictures name them.
+"""A sketch of the rig with its coordinates and sign conventions, as used in jobs, files and pictures.
 
     python3 -m peterka.rig_sketch OUT.png
 """
@@ -20,7 +20,7 @@ HAMMER = (3.2, 1.55, 1.5, 0.9)
 
 
 def draw() -> Figure:
-    """As a Figure."""
+    """The sketch as a Figure."""
     with using():
         figure = new_figure(WIDTH, HEIGHT)
         figure.set_layout_engine("none")
@@ -52,7 +52,7 @@ def draw() -> Figure:
 def _arrow(ax: Axes, start: float, end: float, y: float, words: str, foot: float | None) -> None:
     ax.add_patch(FancyArrowPatch((start, y), (end, y), arrowstyle="-|>", mutation_scale=9, linewidth=1.1, color="black",
                                  shrinkA=0, shrinkB=0))
-    if foot is not None:  # a line up from what it belongs to
+    if foot is not None:  # a line up from the part that the arrow measures
         ax.plot([start, start], [foot, y + 0.15], color="black", linewidth=0.6, linestyle=(0, (3, 2)))
         ax.text(start, y + 0.25, words, ha="left", va="bottom", fontsize=7)
     else:

@@ -1,4 +1,4 @@
-"""Jobs run from Python: the program itself, under mpirun, and its file as a dataset."""
+"""Runs jobs from Python with the program itself, under mpirun, and returns its file as a dataset."""
 
 import os
 import re
@@ -33,12 +33,12 @@ PLACE = re.compile(r"^(?:peterka: )?\S*?job\.toml:", re.MULTILINE)
 
 
 def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
-    """The file at this path, checked and verified, as a dataset; its numbers are read when they are used.
+    """Opens, checks and verifies the file at this path and returns it as a dataset; values are read lazily.
 
-    A map has its variables on (gap_ratio, frequency_ratio), a basin on (velocity_ratio, displacement_ratio), a sweep on
-    (branch, frequency_ratio), a trace on (time,); units are in the variables' attributes, the resolved job is the
-    attribute `job`. What lies in a group of the file has the group's name before its own, as in
-    data["attractors/cells"]. A file that isn't whole or isn't peterka's raises PeterkaFileError."""
+    Dimensions are (gap_ratio, frequency_ratio) for a map, (velocity_ratio, displacement_ratio) for a basin, (branch,
+    frequency_ratio) for a sweep and (time,) for a trace, unless the job names other axes. Units are in the variables'
+    attributes; the resolved job is the attribute `job`. A dataset in a group of the file has the group's name as prefix, as
+    in data["attractors/cells"]. Raises PeterkaFileError if the file is incomplete, damaged or not a file of peterka."""
     with open_file(path) as file:
         reader = type(file)
     data = reader(path).data
@@ -48,15 +48,15 @@ def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
 
 def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.PathLike | None = None,
         progress: Progress = False, **changes: Any) -> xarray.Dataset:
-    """Computes a job and gives its file as open() does; a file that holds it already is only opened.
+    """Computes a job and returns its file as open() does; a file that already holds the result is only opened.
 
-    `job`: the path of a job file, its text in TOML, or its tables as dicts. `ranks`: of mpirun; 1 goes without it.
-    `output`: where the file is kept; without it, it is not. `progress`: True shows how far it is, on stderr; a function is
-    called with the share that is done, 0 to 1. An interrupted run leaves its `output` for the same call to go on from.
-    `changes`: keys of the job, `table__key=value` for
-    --set table.key=value, or a whole table as table={key: value}. Raises JobError with all faults of a job, and
-    PeterkaError where the program fails otherwise. The program is that of PETERKA_BINARY, of the build beside this
-    package, or the one on the PATH."""
+    `job`: the path of a job file, its text in TOML, or its tables as dicts. `ranks`: number of MPI ranks; with 1, mpirun is not used.
+    `output`: where to keep the file; by default it is not kept. `progress`: True shows a progress bar on stderr; a function is called
+    with the finished share, 0 to 1. An interrupted run leaves `output` behind, and the same call resumes it.
+    `changes`: overrides of the job's keys: `table__key=value` for --set table.key=value, or a whole table as table={key:
+    value}. Raises JobError with all faults of the job, PeterkaFileError as open() does, other PeterkaErrors if the program
+    fails or is missing, and ValueError for ranks < 1. The program is PETERKA_BINARY, else that of the build beside this
+    package, else the one on the PATH."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
         path = _written(job, Path(folder))
         result = Path(output) if output is not None else Path(folder) / "result.h5"
@@ -68,14 +68,15 @@ def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.Pa
 
 
 def check(job: str | os.PathLike | Mapping, **changes: Any) -> str:
-    """What a job means and costs, as the program's `check` prints it; computes nothing. Raises JobError."""
+    """The meaning and cost of a job, as printed by the program's `check`; computes nothing. Raises JobError with all faults of the
+    job, other PeterkaErrors if the program fails or is missing."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
         return _call(["check", _argument(_written(job, Path(folder))), *settings], 1)
 
 
 def _written(job, folder):
-    """The path of a job; of a text or tables, of a file in this folder. Rig files are looked for in the present one."""
+    """The path of a job; text or tables are first written to a file in `folder`. Rig files are resolved from the current directory."""
     if isinstance(job, Mapping):
         job = text_of(job)
     elif isinstance(job, os.PathLike) or "\n" not in job:
@@ -86,7 +87,7 @@ def _written(job, folder):
 
 
 def _with_rig_from_here(job):
-    """The text of a job, whose rig file is named from the root; one that is no TOML stays, and the program says why."""
+    """The job's text with an absolute path to its rig file; invalid TOML is returned unchanged, for the program to report."""
     try:
         rig = tomllib.loads(job).get("rig")
     except tomllib.TOMLDecodeError:
@@ -97,7 +98,7 @@ def _with_rig_from_here(job):
 
 
 def _argument(path):
-    """As the program takes for a path, not for an option."""
+    """The path in a form that the program cannot take for an option."""
     return os.path.join(".", path) if str(path).startswith("-") else str(path)
 
 
@@ -134,7 +135,7 @@ def _call(arguments, ranks, progress=False):
 
 
 def _faults(text):
-    """One for each line of the program's, without what mpirun adds below."""
+    """One fault per line of the program's output, without what mpirun appends."""
     lines = text.split("\n-----")[0].splitlines()
     faults = [PLACE.sub("job:", line).removeprefix("peterka: ") for line in lines if line.strip()]
     return faults or ["the job is refused without a word"]

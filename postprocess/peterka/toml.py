@@ -1,4 +1,4 @@
-"""A job's tables as TOML: what a job file can hold, no more. (Python reads TOML, and doesn't write it.)"""
+"""Writes a job's tables as TOML, limited to what a job file can hold. (Python's standard library only reads TOML.)"""
 
 import json
 import math
@@ -29,7 +29,7 @@ def _value(value):
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(_value(one) for one in value)}]"
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")  # JSON allows what TOML doesn't
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")  # JSON allows DEL unescaped, TOML does not
     if isinstance(value, float) and not math.isfinite(value):
         return {math.inf: "inf", -math.inf: "-inf"}.get(value, "nan")
     if isinstance(value, (int, float)):

@@ -1,4 +1,4 @@
-"""The programs that a benchmark runs, and what a map costs: its time, and the memory of its largest rank."""
+"""The programs run by a benchmark, and the cost of a map: its time, and the memory of its largest rank."""
 
 import os
 import subprocess
@@ -21,7 +21,7 @@ class Run:
     """A map computed once."""
 
     wall: float  # s, of the whole command
-    solving: float  # s, without starting up and finishing
+    solving: float  # s, without start-up and finalisation
     memory: float  # MB, resident, of the largest rank
     file: Path
 
@@ -34,7 +34,7 @@ class Bench:
         results.mkdir(parents=True, exist_ok=True)
 
     def output(self, *command):
-        """What a command prints; it must succeed."""
+        """The output of a command, which must succeed."""
         done = subprocess.run(list(map(str, command)), cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               text=True, check=False)
         if done.returncode != 0:
@@ -45,7 +45,7 @@ class Bench:
         return self.results / f"benchmark_{points}_on_{ranks}{name}.h5"
 
     def map(self, points, ranks, name="", settings=()):
-        """Computes the paper's plane with so many points a side, without an audit; a Run."""
+        """Computes the paper's plane with this many points per side, without an audit; returns a Run."""
         file = self.file_of(points, ranks, name)
         command = ["mpirun", "-n", ranks, self.build / "peterka", "run", JOB, "--output", file, "--fresh", "--quiet",
                    "--set", f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}",
@@ -64,7 +64,7 @@ class Bench:
         return run
 
     def in_turn(self, points, all_ranks, rounds):
-        """{ranks: [Run of each round]}"""
+        """{ranks: [Run of each round]} for these numbers of ranks."""
         runs = {ranks: [] for ranks in all_ranks}
         for _ in range(rounds):
             for ranks in all_ranks:
@@ -73,7 +73,7 @@ class Bench:
 
 
 def resident_memory(program, file):
-    """MB: the most that any running process of the program for this file has had; 0 without one."""
+    """Largest memory [MB] so far of any running process for this file; 0 without one."""
     most = 0.0
     for folder in Path("/proc").glob("[0-9]*"):
         try:
@@ -81,7 +81,7 @@ def resident_memory(program, file):
             if words[0] == str(program) and str(file) in words:
                 status = (folder / "status").read_text(encoding="utf-8")
                 most = max(most, *(int(line.split()[1]) / 1024 for line in status.splitlines() if "VmHWM" in line), 0.0)
-        except OSError:  # it has ended meanwhile
+        except OSError:  # it has ended in the meantime
             continue
     return most
 

@@ -21,7 +21,7 @@ import numpy as np  # noqa: E402
 
 JOB = ROOT / "jobs/curves_170mm.toml"
 KINDS = ("fold", "period doubling", "grazing")
-USUAL, QUICK = (128, 5), (32, 1)  # cells along a side, rounds of which the fastest counts
+USUAL, QUICK = (128, 5), (32, 1)  # cells per side, rounds of which the fastest counts
 RESTITUTION, DAMPING_RATIO = 0.6, 0.02
 RIGID = f"""schema = 1
 kind = "curves"
@@ -70,7 +70,7 @@ def main():
 
 
 def compute(arguments, job, name, settings=()):
-    """The file of a job of curves, on one rank."""
+    """The file of a curves job, computed on one rank."""
     file = arguments.results / name
     command = ["mpirun", "-n", "1", arguments.build / "peterka", "run", job, "--output", file, "--fresh", "--quiet",
                *(word for setting in settings for word in ("--set", setting))]
@@ -81,7 +81,7 @@ def compute(arguments, job, name, settings=()):
 
 
 def rows_of(files):
-    """(name, curves, points, points a second, residuals) of each kind, each q, and all; the files are rounds of one job."""
+    """(name, curves, points, points per second, residuals) of each kind, each q, and the total; the files are rounds of one job."""
     seconds = []
     for path in files:
         with h5py.File(path) as file:
@@ -96,7 +96,7 @@ def rows_of(files):
 
 
 def errors_of_folds(path):
-    """How far the gap of each point of the folds of 1/1 is from the closed form, in A0."""
+    """Distance of the gap of each point on the folds of 1/1 from the closed form, in A0."""
     with h5py.File(path) as file:
         of_fold = np.repeat((file["curve_kind"][()] == 0) & (file["curve_impacts"][()] == 1), file["curve_points"][()])
         eta, gap = (file[f"point_{name}_ratio"][()][of_fold] for name in ("frequency", "gap"))

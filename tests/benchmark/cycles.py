@@ -1,4 +1,4 @@
-"""Where forcing cycles go: by regime, and what the certainty of chaos takes of them."""
+"""Distribution of forcing cycles: by regime, and the share spent on establishing chaos."""
 
 import h5py
 import numpy as np
@@ -10,7 +10,7 @@ AT_ONCE = (1000, 700, 500)  # chaos_cycles; the first is the default
 
 
 def by_regime(whole, refined):
-    """[which, share of the cells, ...] of a map's file and of a refined one's."""
+    """[cells, share of the cells, ...] for a map's file and for a refined one."""
     parts = [_parts(whole), _parts(refined)]
     rows = []
     for name in parts[0]:
@@ -20,7 +20,7 @@ def by_regime(whole, refined):
 
 
 def _parts(file):
-    """{which cells: (share of those computed, cycles each, share of the cycles)}"""
+    """{cells: (share of those computed, cycles per cell, share of the cycles)}"""
     labels = Labels(file)
     with h5py.File(file) as opened:
         computed = opened["computed"][:] == 1 if "computed" in opened else np.full(labels.regime.shape, True)
@@ -37,7 +37,7 @@ def _parts(file):
 
 
 def called_sooner(bench, sizes, truth):
-    """Rows of maps with fewer chaos_cycles; truth: the Labels of a map of the same cells after a long run."""
+    """Rows for maps with fewer chaos_cycles; truth: the Labels of a map of the same cells after a long run."""
     settles = np.isin(truth.regime, [NO_IMPACT, PERIODIC, SUSTAINED])
     rows = []
     for cycles in AT_ONCE:

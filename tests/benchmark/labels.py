@@ -1,4 +1,4 @@
-"""Labels of a map's cells, as benchmarks compare them."""
+"""Labels of a map's cells, as compared by benchmarks."""
 
 import tomllib
 
@@ -9,14 +9,14 @@ NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED, UNRESOLVED = range(5)  # regimes in a f
 
 
 class Labels:
-    """Regime, p and q of a map's cells, the cycles they took, and whether the hammer may come free for good there."""
+    """Regime, p and q of a map's cells, their cycles, and whether the hammer may become permanently free there."""
 
     def __init__(self, file):
         with h5py.File(file) as opened:
             self.regime, self.impacts, self.period, self.cycles = (
                 opened[name][:] for name in ("regime", "impacts", "period", "cycles"))
             eta, gap = opened["frequency_ratio"][:], opened["gap_ratio"][:]
-            hammer = tomllib.loads(opened.attrs["job"])["hammer"]  # with the numbers of its rig
+            hammer = tomllib.loads(opened.attrs["job"])["hammer"]  # including the numbers of its rig
         zeta = hammer["damping_ns_per_m"] / (4 * np.pi * hammer["mass_kg"] * hammer["natural_frequency_hz"])
         amplitude = eta**2 / np.hypot(1 - eta**2, 2 * zeta * eta)
         self.comes_free = gap[:, None] > amplitude[None, :]

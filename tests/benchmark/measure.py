@@ -19,13 +19,13 @@ import numpy as np
 
 import cycles
 import ratios
-from bench import JOB, Bench  # makes the package of postprocess known
+from bench import JOB, Bench  # makes the package in postprocess importable
 from labels import CHAOTIC, NO_IMPACT, PERIODIC, SUSTAINED, Labels
 
 
 HUGE = 8192
 PLANNED = 65536
-# The fastest other program that was tried, measured once on a 2-core AVX-512 machine, with the same eight cells.
+# The fastest other program tested, measured once on a 2-core AVX-512 machine, with the same eight cells.
 HEYOKA = [("heyoka (Taylor series), one cell", 3.7, 1e-12), ("heyoka (Taylor series), batch of 8", 2.5, 1e-12)]
 
 
@@ -41,7 +41,7 @@ class Sizes:
 
 USUAL = Sizes(1024, 2048, (1024, 4096), 200, (4097, 4), 5)
 QUICK = Sizes(128, 256, (128, 512), 60, (257, 2), 3)
-LONG = 20000  # forcing cycles that a label is compared with
+LONG = 20000  # forcing cycles of the reference labels
 
 
 def main():
@@ -96,7 +96,7 @@ def engines(bench, sizes, _page):
 
 
 def maps(bench, sizes, _page):
-    """Time per cell with everything, and what more ranks gain."""
+    """Total time per cell, and the speed-up with more ranks."""
     cells = sizes.map**2
     runs = bench.in_turn(sizes.map, (1, 2), sizes.rounds)
     rows = []
@@ -120,13 +120,13 @@ def maps(bench, sizes, _page):
 
 
 def ratio(runs, ranks, other):
-    """Median over the rounds of how much faster `other` ranks solve."""
+    """Median over the rounds of the speed-up with `other` ranks."""
     return f"{median(one.solving / two.solving for one, two in zip(runs[ranks], runs[other])):.3f}"
 
 
 def decisions(bench, sizes, _page):
-    """How soon cells are decided, and what a much longer look says of their labels."""
-    # where nothing can end chaos it is called after 0.3 of chaos_cycles
+    """How soon cells are decided, and how their labels compare with a much longer observation."""
+    # where chaos cannot end, it is declared after 0.3 of chaos_cycles
     long = ("steady_state.max_cycles=" + str(LONG + 100), "steady_state.chaos_cycles=" + str(LONG * 10 // 3))
     usual = Labels(bench.map(sizes.labels, 2, "_labels").file)
     truth = Labels(bench.map(sizes.labels, 2, "_labels_long", long).file)
@@ -150,7 +150,7 @@ def decisions(bench, sizes, _page):
 
 
 def refinement(bench, sizes, _page):
-    """What it saves to compute only a part of the cells, and what that costs in labels."""
+    """The saving from computing only some of the cells, and its cost in labels."""
     points, levels = sizes.refined
     whole, refined = bench.map(points, 2, "_whole"), bench.map(points, 2, "_refined", [f"refine.levels={levels}"])
     true, found = Labels(whole.file), Labels(refined.file)
@@ -235,8 +235,8 @@ def huge(bench, _sizes, _page):
 
 
 def scaling(bench, sizes, page):
-    """The measured tiles dealt again to many ranks, next to what was measured."""
-    own = min(busy for _, _, busy, _ in bench.rates)  # the more runs wait, the less it looks in vain
+    """The measured tiles replayed for many ranks, next to the measurements."""
+    own = min(busy for _, _, busy, _ in bench.rates)  # the more runs wait, the fewer polls find nothing
     waited = bench.rates[0][3]
     files = [bench.results / f"benchmark_{sizes.ratio}_on_{ranks}.h5" for ranks in (1, 2)]
     text = bench.output(sys.executable, "postprocess/scaling.py", files[0], "--measured", *files, "--service", own,

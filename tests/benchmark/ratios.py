@@ -1,19 +1,19 @@
-"""What a cell costs over what its cycles cost in the kernel: ratios that hold on any machine."""
+"""Cost of a cell over that of its cycles in the kernel: machine-independent ratios."""
 
 from statistics import median
 
 import h5py
 import numpy as np
 
-# Windows of the paper's plane: (frequency ratio, gap ratio), each from and to.
+# Windows of the paper's plane: (frequency ratio, gap ratio), each as (from, to).
 WINDOWS = {"1/1 alone": ((1.3, 2.0), (0.0, 1.0)), "chaos": ((2.90, 3.05), (0.6, 0.8)),
            "never meets the stop": ((2.5, 4.5), (3.0, 5.0))}
 KERNEL = " + both"  # of the batched engine with linear springs: with peak force and Jacobian
 
 
 def kernel_times(rows):
-    """(µs per cycle with force and Jacobian, plain, and of the plain exact engine) of the best instruction set, from the
-    rows (name, µs, error) of batch_cycles, where it comes first."""
+    """(µs per cycle with force and Jacobian, plain, and of the plain exact engine) for the best instruction set, which comes
+    first in the rows (name, µs, error) of batch_cycles."""
     batched = [(name, time) for name, time, _ in rows if name.startswith("batch, ") and "split" not in name
                and "rigid" not in name]
     full = next(time for name, time in batched if name.endswith(KERNEL))
@@ -29,7 +29,7 @@ def window_of(name):
 
 
 def cycles_per_cell(file):
-    """Forcing cycles spent, on average."""
+    """Mean number of forcing cycles per cell."""
     with h5py.File(file) as opened:
         return float(np.mean(opened["cycles"][:]))
 
@@ -40,7 +40,7 @@ def over_kernel(microseconds, cycles, kernel):
 
 
 def rows_of(bench, sizes, kernel_rows, refined_over_full):
-    """[what, value, goal], in words. refined_over_full: None where it wasn't measured."""
+    """[quantity, value, goal], in words. refined_over_full: None if not measured."""
     kernel, plain, exact = kernel_times(kernel_rows)
     runs = [bench.map(sizes.map, 1, "_ratios") for _ in range(sizes.rounds)]
     cells = sizes.map**2

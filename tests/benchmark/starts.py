@@ -29,7 +29,7 @@ from peterka.plotting.figures import new_figure  # noqa: E402
 JOB = "jobs/attractors_170mm.toml"
 COUNTS = (4, 16, 64, 256, 1024)
 SLOTS = 64  # all attractors of a cell
-USUAL, QUICK = (24, 8192), (6, 2048)  # cells along a side, starts of the truth
+USUAL, QUICK = (24, 8192), (6, 2048)  # cells per side, starts of the reference
 NAMES = ("attractor_regime", "attractor_impacts", "attractor_period", "basin_share")
 
 
@@ -44,9 +44,9 @@ class Found:
 
 @dataclass(frozen=True)
 class Row:
-    """Of `count` starts: seconds of a cell, cycles of a start; the error of a share (root of the mean square over cells and
-    attractors), that of as many random starts, the largest; attractors found of those there are, and what random ones
-    would; how many a cell has, as found."""
+    """For `count` starts: seconds per cell, cycles per start; the error of a share (root mean square over cells and
+    attractors), that of as many random starts, the largest error; fraction of the existing attractors found, and the same
+    for random starts; mean number of attractors found per cell."""
 
     count: int
     seconds: float
@@ -79,7 +79,7 @@ def main():
 
 
 def compute(arguments, side, count):
-    """So many starts in each cell; the Found."""
+    """The Found for this many starts per cell."""
     file = arguments.results / f"starts_{side}_{count}.h5"
     changes = {"axes.frequency_ratio.points": side, "axes.gap_ratio.points": side, "starts.count": count,
                "starts.attractors": SLOTS}
@@ -119,7 +119,7 @@ def rms(values):
 
 
 def picture(rows):
-    """Errors against time, and what is missed."""
+    """Errors and missed attractors against time."""
     figure = new_figure(9.2, 2.9)
     seconds = [row.seconds for row in rows]
     left, right, last = figure.subplots(1, 3)

@@ -1,4 +1,4 @@
-"""Pages that several tests open, written once, and one browser for all of them."""
+"""Pages shared by several tests, written once, and one browser for all of them."""
 
 import pages
 import pytest
@@ -34,7 +34,7 @@ def basin_page(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def page_of(tmp_path_factory):
-    """Of a shipped job with these settings."""
+    """The file of a shipped job with these settings."""
 
     def make(job, *settings, code=0):
         return pages.written(pages.compute(tmp_path_factory.mktemp("page"), JOBS / job, *settings, code=code))

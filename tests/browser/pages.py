@@ -13,12 +13,12 @@ from selenium.webdriver.support.ui import WebDriverWait
 ROOT = Path(__file__).resolve().parents[2]
 BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
 LIVE_CELLS = Path(os.environ["LIVE_CELLS"]).resolve()
-HANGING = 120  # seconds after which something is taken to hang
+HANGING = 120  # seconds after which something is considered to hang
 MARGINS = {"left": 62, "right": 62, "top": 42, "bottom": 40}  # of the map's canvas, in CSS pixels: view.js
 
 
 def compute(folder, job, *settings, code=0, wall="3600"):
-    """The file of a job with these settings (table.key=value), of a run that ends after so many seconds of `wall`."""
+    """The file of a job with these settings (table.key=value), for a run limited to `wall` seconds."""
     file = folder / "map.h5"
     chosen = [part for setting in settings for part in ("--set", setting)]
     run = subprocess.run([BINARY, "run", job, "--output", file, "--quiet", "--max-wall", wall, *chosen], cwd=folder, capture_output=True,
@@ -53,13 +53,13 @@ class Browser:
         self.driver.set_script_timeout(HANGING)
 
     def open(self, page, address="", width=1400, height=1200, dark=False):
-        """Opens a page, waits until it is ready, and holds that the console says nothing."""
+        """Opens a page, waits until it is ready, and requires an empty console."""
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                                     {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [scheme]})
-        self.driver.get("about:blank")  # another address alone would not load the page again
-        self.complaints()  # of the page before, and of what a test did to it
+        self.driver.get("about:blank")  # a change of the address alone would not reload the page
+        self.complaints()  # left by the previous page and the tests on it
         self.driver.get(page.as_uri() + (f"#{address}" if address else ""))
         assert self.promise("peterka.ready.then(() => 'ready', (error) => String(error.stack))") == "ready"
         complaints = self.complaints()
@@ -90,7 +90,7 @@ class Browser:
         self.until(lambda: self.data("cell", "state") == "solved", "the cell is not solved")
 
     def settle(self):
-        """Until all that was asked for is drawn."""
+        """Waits until everything requested is drawn."""
         self.driver.execute_async_script("const t = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => t()))")
 
     def slide(self, name, step):
@@ -108,7 +108,7 @@ class Browser:
         return f"#{red:02X}{green:02X}{blue:02X}"
 
     def place(self, column, row, columns, rows):
-        """CSS pixels from the map's corner to the middle of a cell, where the whole map is shown."""
+        """CSS pixels from the map's corner to the centre of a cell, if the whole map is shown."""
         box = self.ask("(({width, height}) => [width, height])(document.getElementById('map').getBoundingClientRect())")
         width = box[0] - MARGINS["left"] - MARGINS["right"]
         height = box[1] - MARGINS["top"] - MARGINS["bottom"]

@@ -1,4 +1,4 @@
-"""explore.py: what it takes and refuses, unfinished and large files, and a machine without the compiler."""
+"""explore.py: accepted and refused arguments, unfinished and large files, and a machine without the compiler."""
 
 import json
 import re
@@ -136,7 +136,7 @@ def test_every_nth_row_and_column(browser, map_file, tmp_path):
 
 
 def test_shortened_numbers_of_a_large_map_are_right_to_the_digits_told(browser, map_file, tmp_path, monkeypatch):
-    """A map that is larger than what a page holds to the last bit, as far as explore.py can tell."""
+    """A map that explore.py considers larger than what a page stores exactly."""
     monkeypatch.setattr(layers, "EXACT_CELLS", SIZE**2 - 1)
     with open_file(map_file) as file:
         text, _ = page_module.page(file)

@@ -1,4 +1,4 @@
-"""Pages over axes of the rig: live cells are those of the file, and sliders and clicks speak of these axes."""
+"""Pages over axes of the rig: live cells equal those of the file, and sliders and clicks refer to these axes."""
 
 import h5py
 import pages

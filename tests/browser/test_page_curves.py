@@ -1,4 +1,4 @@
-"""Pages of curves: a click on one shows the motions on both of its sides, which are those that the program finds there."""
+"""Pages of curves: a click on a curve shows the motions on its two sides, which equal those that the program finds there."""
 
 import re
 import subprocess
@@ -14,7 +14,7 @@ from test_page_sweep import point_at
 
 SMALL = ("axes.frequency_ratio.points=40", "axes.gap_ratio.points=40", "curves.max_period=2")
 FOLD, DOUBLING, GRAZING = 0, 1, 2
-BORDER = 1.862464993  # of 1/1 at gap/A0 = 1.5: its fold, of an independent program
+BORDER = 1.862464993  # of 1/1 at gap/A0 = 1.5: its fold, from an independent program
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""Cells solved by the engine inside the page: the program's own results, motions, live maps and basins."""
+"""Cells solved by the engine inside the page: they equal the program's own results, motions, live maps and basins."""
 
 import json
 import re
@@ -14,11 +14,11 @@ from selenium.webdriver.common.keys import Keys
 
 ANSWER = ("regime", "status", "engine", "impacts", "period", "cycles", "peak_force_ratio", "impact_rate", "chatter",
           "lyapunov", "sensitivity")
-HANGS_ON_ROUNDING = 20.0  # ln of a perturbation's growth
+HANGS_ON_ROUNDING = 20.0  # ln of the growth of a perturbation beyond which rounding decides
 
 
 def native(page, cells):
-    """What the page's engine says on this machine, cell by cell: the numbers of src/page/interface.hpp."""
+    """The result of the page's engine on this machine, cell by cell, in the order of src/page/interface.hpp."""
     text = page.read_text()
     content = json.loads(re.search(r'id="content">(.*?)</script>', text, re.DOTALL).group(1))
     names, (columns, rows) = list(content["cell"]), (content["columns"], content["rows"])
@@ -63,7 +63,7 @@ def test_a_rigid_stop_runs_too(browser, page_of):
 
 
 def test_the_native_twin_is_the_program_itself(map_file, map_page, tmp_path):
-    """A trace solves its cell by the same engine: to the last bit, not just to rounding."""
+    """A trace solves its cell with the same engine: identical to the last bit, not just to rounding."""
     with h5py.File(map_file) as data:
         periodic = np.argwhere(data["regime"][()] == 1)
     for row, column in periodic[:: len(periodic) // 4].tolist():
@@ -130,7 +130,7 @@ def test_the_hammer_moves_and_space_stops_it(browser, map_page):
 
 
 def test_starts_and_knocks_lead_to_the_motions_of_the_basin(browser, basin_page):
-    """At this place of the 150 mm rig no impact and z = 1/1 live side by side."""
+    """At this point of the 150 mm rig no impact and z = 1/1 coexist."""
     browser.open(basin_page, "at=0,-0.8")
     browser.solved()
     assert browser.text("z") == "no impact"
@@ -166,7 +166,7 @@ def test_a_slider_computes_the_map_again(browser, map_page, slider):
 
 
 def test_an_unchanged_live_map_has_the_colours_of_the_file(browser, map_page):
-    """Each cell of the file holds whole cells of the live map of a window of 32 x 32 of them."""
+    """Each cell of the file contains whole cells of the live map of its window of 32 x 32."""
     step = (4 / 47, 5 / 47)
     window = [(low + (8 - 0.5) * d, low + (40 - 0.5) * d) for low, d in zip((0.5, 0.0), step)]
     browser.open(map_page, "x={:.9g},{:.9g}&y={:.9g},{:.9g}".format(*window[0], *window[1]))
@@ -178,7 +178,7 @@ def test_an_unchanged_live_map_has_the_colours_of_the_file(browser, map_page):
     browser.until(lambda: browser.data("live-state", "finished") == "true", "the live map is never finished")
     browser.settle()
     after = [browser.pixel("map", *place(n)) for n in places[::7]]
-    assert np.mean([a == b for a, b in zip(before, after)]) > 0.9  # near edges, a quarter of a cell beside the middle
+    assert np.mean([a == b for a, b in zip(before, after)]) > 0.9  # near edges, offset from the centre by a quarter of a cell
 
 
 def test_frequency_and_gap_sliders_move_the_cell(browser, map_page):
@@ -215,7 +215,7 @@ def test_a_long_search_is_given_up(browser, page_of):
     ActionChains(browser.driver).send_keys(Keys.ESCAPE).perform()
     assert browser.data("cell", "state") == "given-up"
     told = browser.ask("window.stillSolving")
-    browser.promise("Promise.all(Array.from({length: 400}, (_, i) => peterka.solve(i % 4, i % 3)))")  # others take their time
+    browser.promise("Promise.all(Array.from({length: 400}, (_, i) => peterka.solve(i % 4, i % 3)))")  # waits until other orders have run
     assert browser.ask("window.stillSolving") <= told + 1
     browser.driver.execute_script("location.hash = 'at=0.92,10'")
     browser.solved()
@@ -238,7 +238,7 @@ def test_a_law_that_the_page_cannot_run_says_so(browser, page_of):
 
 
 def test_the_knock_goes_back_to_nothing_with_its_label(browser, basin_page):
-    """When another cell is looked at."""
+    """When another cell is selected."""
     browser.open(basin_page, "at=0,-0.8")
     browser.solved()
     browser.driver.execute_script("const k = document.getElementById('knock'); k.value = k.max; k.dispatchEvent(new Event('input'))")

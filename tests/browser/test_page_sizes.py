@@ -1,4 +1,4 @@
-"""Small and large screens, light and dark: everything is there, nothing sticks out."""
+"""Small and large screens, light and dark: everything is present, nothing overflows."""
 
 import pytest
 

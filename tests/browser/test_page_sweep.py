@@ -1,5 +1,5 @@
-"""Pages of sweeps: every point's motion is found again from where the file has it, whatever the sweep runs along; a click takes the
-branch that it is nearest to."""
+"""Pages of sweeps: every point's motion is recovered from the state stored in the file, whatever the swept coordinate; a
+click selects the nearest branch."""
 
 import re
 
@@ -13,7 +13,7 @@ from selenium.webdriver.common.keys import Keys
 from test_page_any_axes import RIG, axis
 
 NAMES = ("regime", "impacts", "period", "peak_force_ratio", "status")
-LINEAR = "hammer.cubic_stiffness_n_per_m3=0"  # whether the cubic term may be left out is each search's own finding
+LINEAR = "hammer.cubic_stiffness_n_per_m3=0"  # each search decides for itself whether the cubic term may be omitted
 PLACE = "[operating_point]\nfrequency_hz = 40.0\ngap_m = 0.2e-3\n"
 RIGID = re.sub(r"(?s)\[contact\].*", '[contact]\nlaw = "restitution"\ncoefficient = 0.6\n', RIG)
 OVER = {
@@ -58,7 +58,7 @@ def stored(file):
 
 
 def assert_found_again(browser, track, kept):
-    """Of {name: (points,)} those that are settled. How many these are."""
+    """Checks the settled points of {name: (points,)} and returns their number."""
     count = len(kept["regime"])
     live = browser.promise(f"Promise.all(Array.from({{length: {count}}}, (_, point) => peterka.solve({track}, point).catch(() => null)))")
     all_shown = browser.ask(f"Array.from({{length: {count}}}, (_, point) => peterka.value({track}, point))")
@@ -69,7 +69,7 @@ def assert_found_again(browser, track, kept):
             continue
         settled += 1
         assert [one[name] for name in NAMES[:3]] == [kept[name][point] for name in NAMES[:3]], (track, point)
-        force = pytest.approx(kept["peak_force_ratio"][point], rel=1e-9, nan_ok=True)  # none where the stop is rigid
+        force = pytest.approx(kept["peak_force_ratio"][point], rel=1e-9, nan_ok=True)  # none if the stop is rigid
         assert all((np.nan if each["peak_force_ratio"] is None else each["peak_force_ratio"]) == force for each in (one, shown)), (track, point)
     return settled
 
@@ -106,7 +106,7 @@ def test_and_each_attractor_of_one_with_starts(browser, starts_file, starts_page
 
 
 def point_at(browser, x, y, window, off=(0, 0)):
-    """The pointer over a place of a view whose window, ((x0, x1), (y0, y1)), the address has."""
+    """Places the pointer over a point of a view whose window, ((x0, x1), (y0, y1)), is in the address."""
     across, up = ((value - low) / (high - low) for value, (low, high) in zip((x, y), window))
     canvas = browser.find("map-top")
     width, height = canvas.size["width"], canvas.size["height"]
@@ -122,7 +122,7 @@ def opened(browser, page, at, window):
 
 
 def hysteresis(kept):
-    """(gap, point) where both branches of a gap have settled on forces that lie furthest apart."""
+    """(gap, point) at which both branches of a gap are settled and their forces differ most."""
     settled = np.isin(kept["regime"], [0, 1])
     apart = np.where(settled[::2] & settled[1::2], np.abs(kept["peak_force_ratio"][::2] - kept["peak_force_ratio"][1::2]), -1)
     return map(int, np.unravel_index(np.argmax(apart), apart.shape))
@@ -135,7 +135,7 @@ def test_a_click_takes_the_nearest_branch(browser, sweep_file, sweep_page):
     forces = kept["peak_force_ratio"][2 * gap:2 * gap + 2, point]
     assert abs(forces[0] - forces[1]) > 5
     window = ((x - 0.3, x + 0.3), (min(forces) - 2, max(forces) + 15))  # within what the page shows
-    # the last one strikes
+    # the last one has impacts
     for branch in sorted((2 * gap, 2 * gap + 1), key=lambda branch: kept["peak_force_ratio"][branch, point]):
         words = ("frequency rising", "frequency falling")[branch - 2 * gap]
         regime, p, q, force = (kept[name][branch, point] for name in NAMES[:4])

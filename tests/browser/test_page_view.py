@@ -1,5 +1,5 @@
-"""The page as a view of the file: it opens from disk without a word in the console, shows the file's own cells, and can
-be walked over by mouse and keyboard."""
+"""The page as a view of the file: it opens from disk without console messages, shows the file's own cells, and can be
+navigated by mouse and keyboard."""
 
 import re
 import sys
@@ -36,7 +36,7 @@ def point_at(browser, column, row):
 
 
 def view(browser):
-    """{x: [from, to], y: ...} as the address tells it; empty for the whole map."""
+    """{x: [from, to], y: ...} from the address; empty for the whole map."""
     address = browser.ask("location.hash")
     return {name: [float(one) for one in text.split(",")] for name, text in re.findall(r"[#&]([xy])=([^&]*)", address)}
 
@@ -100,12 +100,12 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
         browser.settle()
         assert browser.text("legend").strip()
         pictures.add(browser.ask("document.getElementById('map').toDataURL()"))
-    assert len(pictures) >= len(offered) - 1  # status and chatter may be the same everywhere
+    assert len(pictures) >= len(offered) - 1  # status and chatter may be constant over the map
     assert browser.complaints() == []
 
 
 class WithShares:
-    """The data of an open file, and basin_share[attractor][row][column], as maps with several starts have it."""
+    """The data of an open file, plus basin_share[attractor][row][column], as in maps with several starts."""
 
     def __init__(self, data, shares):
         self.data, self.shares = data, shares

@@ -1,6 +1,6 @@
-"""The folders of src and which includes which, from the includes themselves.
+"""The folders of src and their include relations, from the include lines.
 
-    tests/documents/architecture.py      draws them anew into src/README.md
+    tests/documents/architecture.py      redraws them in src/README.md
 """
 
 import re
@@ -14,7 +14,7 @@ END = "<!-- end of the drawing -->\n"
 
 
 def order(page=PAGE):
-    """The folders as the table of the page has them: each includes only folders above it."""
+    """The folders in the order of the page's table: each includes only folders above it."""
     table = page.read_text().split("| folder |")[1].split("\n\n")[0]
     return re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)
 
@@ -35,7 +35,7 @@ def reach(graph, folder):
 
 
 def drawing(source=SOURCE):
-    """A Mermaid flowchart. Arrows that others imply are left out, and so is `support`, which all may include."""
+    """A Mermaid flowchart. Arrows implied by others are omitted, and so is `support`, which all may include."""
     graph = {folder: names - {"support"} for folder, names in includes(source).items() if folder != "support"}
     lines = ["```mermaid", "flowchart BT"]
     for folder, names in graph.items():

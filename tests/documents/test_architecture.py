@@ -1,4 +1,4 @@
-"""The folders of src show the data's way: a folder includes only what stands before it in the table of src/README.md."""
+"""The folders of src follow the data flow: a folder includes only folders listed before it in the table of src/README.md."""
 
 import re
 
@@ -43,7 +43,7 @@ def test_the_drawing_leaves_out_what_other_arrows_imply(tmp_path):
 
 
 def missing(files, pattern, roots=(SOURCE, ROOT / "tests")):
-    """What these files name that lies under none of the roots, as "file: what it names"."""
+    """Names in these files that exist under none of the roots, as "file: name"."""
     return [f"{file.name}: {folder}/{stem}{end}" for file in files for folder, stem, end in pattern.findall(file.read_text())
             if not any(found for root in roots for found in root.glob(f"{folder}/{stem}{end or '.?pp'}"))]
 
@@ -62,14 +62,14 @@ def test_a_name_of_yesterday_would_be_seen(tmp_path):
     assert missing([tmp_path / "motion" / "signal.hpp"], NAMED, [tmp_path]) == ["signal.hpp: motion/old_name.hpp"]
 
 
-# What the preprocessor may ask for: the processor, sanitizers, and what Highway says of the instruction set it compiles for.
+# What the preprocessor may test: the processor, sanitizers, and Highway's macros for the target instruction set.
 ASKED = re.compile(r"""defined|PETERKA_\w+|HWY_(?:ONCE|TARGET_TOGGLE|TARGET|AVX2|NATIVE_FMA)|__SANITIZE_ADDRESS__
                    |__(?:x86_64|aarch64|powerpc64|riscv|wasm)(?:__)?|__has_include\("version\.hpp"\)""", re.VERBOSE)
 CONDITION = re.compile(r"^[ \t]*#[ \t]*(?:el)?if(?:n?def)?\b((?:.*\\\n)*[^\n/]*)", re.MULTILINE)
 
 
 def other_conditions(folder):
-    """Files in which the preprocessor asks for anything else, such as a library's release; versions.hpp of a folder may."""
+    """Files in which the preprocessor tests anything else, such as a library's release; a folder's versions.hpp may do so."""
     return sorted({str(file.relative_to(folder)) for file in folder.rglob("*.?pp") if file.name != "versions.hpp"
                    for condition in CONDITION.findall(file.read_text()) if re.search(r"[A-Za-z_]", ASKED.sub("", condition))})
 

@@ -1,4 +1,4 @@
-"""What the README pages show can be used as it stands: pieces of jobs, lines of Python; and their tables leave nothing out."""
+"""The examples of the README pages work as printed: job fragments, lines of Python; and their tables are complete."""
 
 import os
 import re
@@ -23,7 +23,7 @@ FREQUENCIES, GAPS = axis("frequency_ratio", (0.5, 4.5)), axis("gap_ratio", (0.0,
 
 
 def whole_job(piece):
-    """The piece with what any job needs besides."""
+    """The fragment, completed by what every job requires."""
     if piece.startswith("schema"):
         return piece
     if "[operating_point]" in piece:
@@ -38,7 +38,7 @@ def whole_job(piece):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """With a map that has the cell that pieces name, and with the jobs, as a clone has."""
+    """With a map that contains the cell named by fragments, and with the jobs, as in a clone."""
     path = tmp_path_factory.mktemp("clone")
     (path / "jobs").symlink_to(JOBS)
     subprocess.run([BINARY, "run", "jobs/peterka_170mm.toml", "--quiet", "--set", "axes.frequency_ratio.points=301", "--set",

@@ -1,4 +1,4 @@
-"""The packages of postprocess/peterka show the data's way, too: each imports only what its __init__ names before it."""
+"""The packages of postprocess/peterka follow the data flow, too: each imports only what its __init__ lists before it."""
 
 import ast
 import re
@@ -8,7 +8,7 @@ PACKAGE = Path(__file__).resolve().parents[2] / "postprocess" / "peterka"
 
 
 def order(package):
-    """Packages and modules in the order in which the package's text has them."""
+    """Packages and modules in the order of the package's docstring."""
     words = ast.get_docstring(ast.parse((package / "__init__.py").read_text()))
     return [name for name in re.findall(r"^(\w+)  +\S", words, re.MULTILINE)]
 

@@ -1,4 +1,4 @@
-"""What the README pages say can be done: links lead somewhere, commands and their options exist, jobs and fields are all told."""
+"""The README pages are accurate: links resolve, commands and their options exist, all jobs and fields are documented."""
 
 import os
 import re
@@ -23,7 +23,7 @@ def blocks(page, language):
 
 
 def commands(page):
-    """The words of each command of the page that calls one of our programs, beginning with that program."""
+    """The words of each command on the page that calls one of our programs, beginning with that program."""
     lines = [line for block in blocks(page, "sh") for line in block.splitlines()]
     lines += re.findall(r"`((?:\./)?(?:jobs|tests|postprocess)/(?!test_)[\w/]+\.(?:sh|py)[^`\n]*)`", page.read_text())
     for line in lines:
@@ -77,7 +77,7 @@ def test_all_jobs_are_told():
         if not names[0].endswith(".toml"):
             continue
         for name in names:
-            if name.startswith("_"):  # `_150mm` and the like: the first one's name with another end
+            if name.startswith("_"):  # `_150mm` and the like: the first one's name with another ending
                 told.add(re.sub(r"_[^_]+$", name, names[0].removesuffix(".toml")) + ".toml")
             else:
                 told.add(name)

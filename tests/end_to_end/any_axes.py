@@ -1,4 +1,4 @@
-"""Jobs of maps and sweeps over other axes than frequency and gap."""
+"""Jobs of maps and sweeps over axes other than frequency and gap."""
 
 import jobs
 

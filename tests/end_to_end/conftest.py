@@ -1,4 +1,4 @@
-"""Files that several tests compare with: computed once, alone and without interruption."""
+"""Reference files for several tests: computed once, alone and without interruption."""
 
 import pytest
 

@@ -1,7 +1,7 @@
-"""Finished files of every kind with damaged bytes, and what the programs make of them: a sound file or a refusal, never a
-signal, a hang, gigabytes, or something else shown as sound.
+"""Finished files of every kind with damaged bytes, and the programs' reaction: a sound file or a refusal, never a signal, a
+hang, excessive memory, or wrong contents shown as sound.
 
-Programs of Python run in children of one process that has loaded everything; `run` is started each time.
+Python programs run in children of one process that has loaded everything; `run` is started each time.
 """
 
 import contextlib
@@ -27,11 +27,11 @@ peterka = importlib.import_module("peterka")
 PeterkaFileError = importlib.import_module("peterka.errors").PeterkaFileError
 
 SECTOR = 512
-SECONDS = 10  # of the processor, after which a reader hangs
-PATIENCE = 300  # the same of a clock: the machine may be busy
+SECONDS = 10  # of CPU time, after which a reader is considered to hang
+PATIENCE = 300  # the same in wall time: the machine may be busy
 PROGRAMS = ("draw", "explore")
 LARGEST = 2**30  # bytes of memory
-OF_RUN = re.compile(r"[Tt]his run:|of computing in all")  # what /run tells
+OF_RUN = re.compile(r"[Tt]his run:|of computing in all")  # words that depend on /run
 REFUSED, SAME, OTHER, TRACEBACK, WORDS = range(5)  # exit codes of a child
 
 KINDS = {
@@ -48,7 +48,7 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Damage:
-    """What was done to a file, in words, and what it has become."""
+    """The change made to a file, in words, and the resulting bytes."""
 
     what: str
     content: bytes
@@ -63,7 +63,7 @@ def make(folder: Path, kind: str) -> Path:
 
 
 def outside_numbers(content: bytes) -> list[int]:
-    """Offsets of all bytes that the record of a file's bytes sums: headers, sizes, texts."""
+    """Offsets of all bytes covered by the checksum of the file's raw bytes: headers, sizes, texts."""
     numbers = [int(word) for word in content[-4096:].rstrip(b"\0").split()[5:]]
     places, at = [], 0
     for begin, end in zip(numbers[::2], numbers[1::2]):
@@ -73,7 +73,7 @@ def outside_numbers(content: bytes) -> list[int]:
 
 
 def damages(content: bytes, count: int, chance: random.Random):
-    """So many: a third single bits anywhere, a third single bits outside the numbers, the rest sectors and ends."""
+    """This many damages: a third single bits anywhere, a third single bits outside the numbers, the rest sectors and ends."""
     outside = outside_numbers(content) or list(range(len(content) - 4096))
     sectors = range(0, len(content), SECTOR)
     turns = [lambda: flipped(content, chance.randrange(len(content)), chance), lambda: flipped(content, chance.choice(outside), chance),
@@ -93,7 +93,7 @@ def flipped(content, place, chance):
 
 
 def of_sectors(content, one, other, chance):
-    """Zeroed, a copy of another one, or swapped with it."""
+    """Zeroed, overwritten by another sector, or swapped with it."""
     spoilt = bytearray(content)
     first, second = content[one:one + SECTOR], content[other:other + SECTOR]
     size = min(len(first), len(second))
@@ -108,7 +108,7 @@ def of_sectors(content, one, other, chance):
 
 
 def contents_of(path: Path) -> dict:
-    """All that peterka.open tells but what lies in /run."""
+    """Everything that peterka.open returns except /run."""
     with peterka.open(path) as data:
         told = {str(name): (str(variable.dims), str(variable.attrs), str(variable.dtype), variable.values.tobytes())
                 for name, variable in data.variables.items() if not str(name).startswith("run/")}
@@ -116,7 +116,7 @@ def contents_of(path: Path) -> dict:
 
 
 class Readers:
-    """What reads the files of one kind; `sound` is what they should have."""
+    """The readers of files of one kind; `sound` is the expected contents."""
 
     def __init__(self, folder: Path, kind: str) -> None:
         self.folder, self.kind = folder, kind
@@ -127,7 +127,7 @@ class Readers:
             importlib.import_module(name)
 
     def by_python(self, damage: Damage) -> tuple[str, str]:
-        """(what came of it, what is wrong: "" where nothing is)."""
+        """(outcome, fault: "" if there is none)."""
         path = self.folder / "damaged.h5"
         path.write_bytes(damage.content)
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -146,7 +146,7 @@ class Readers:
         return {REFUSED: "refused", SAME: "unread"}.get(code, "wrong"), told.get(code, f"exit code {code}")
 
     def by_run(self, damage: Damage) -> tuple[str, str]:
-        """The same of the program."""
+        """The same for the program."""
         (self.folder / "job.h5").write_bytes(damage.content)
         try:
             done = self._run()
@@ -165,7 +165,7 @@ class Readers:
         return done
 
     def _read(self, path):
-        """In the child, which no error may leave."""
+        """Runs in the child, which no exception may leave."""
         signal.alarm(PATIENCE)
         used = int(sum(resource.getrusage(resource.RUSAGE_SELF)[:2]))
         resource.setrlimit(resource.RLIMIT_CPU, (used + SECONDS, used + SECONDS))
@@ -174,12 +174,12 @@ class Readers:
         try:
             with contextlib.redirect_stdout(io.StringIO()):
                 return self._read_by_all(path)
-        except BaseException:  # whatever it is, it is what we look for
+        except BaseException:  # any exception is a fault
             traceback.print_exc(limit=-3)
             return TRACEBACK
 
     def _read_by_all(self, path):
-        """What one reader refuses, all have to; pictures of the same numbers are the same."""
+        """A file refused by one reader must be refused by all; equal numbers give equal pictures."""
         with contextlib.suppress(PeterkaFileError):
             return SAME if contents_of(path) == self.sound else OTHER
         for name in PROGRAMS:

@@ -1,7 +1,7 @@
-"""One call to the system fails in a small run of each kind, and what must come of it.
+"""A single system call fails in a small run of each kind, and the required outcome.
 
-Either the file is written all the same and is the right one, or the run ends with 3, says which file and why, and the
-next run makes the right file out of what is left. Nothing else: no signal, no wrong file.
+Either the file is written nevertheless and is correct, or the run ends with 3, names the file and the reason, and the next
+run produces the correct file from what is left. Nothing else: no signal, no wrong file.
 """
 
 import subprocess
@@ -39,7 +39,7 @@ def run(folder, ranks=None, **faults):
 
 
 class Kind(RightFile):
-    """How many calls of each kind a run makes, and what comes of one that fails."""
+    """The number of calls of each kind in a run, and the outcome if one fails."""
 
     def __init__(self, name, folder):
         super().__init__(folder, KINDS[name])
@@ -47,7 +47,7 @@ class Kind(RightFile):
         self.calls = {call: self.count(call) for call in CALLS}
 
     def begin_with_what_is_left_after(self, call, number, how):
-        """So does each run from now on."""
+        """Applies to each run from now on."""
         self.clear()
         assert run(self.folder, call=call, at=number, how=how).returncode == 3
         self.begun = (self.folder / NAME).read_bytes()
@@ -60,7 +60,7 @@ class Kind(RightFile):
         return int(report.read_text())
 
     def fails(self, call, number, how, **where):
-        """What is wrong with what came of it; nothing where all is as it should be. `where`: so many ranks, on which."""
+        """The fault in the outcome; empty if it is as required. `where`: number of ranks, and the failing one."""
         self.clear()
         finished = run(self.folder, call=call, at=number, how=how, **where)
         problem = self._problem(finished, 0 if call != "unlink" else 2 if "persistent" in how else 1)

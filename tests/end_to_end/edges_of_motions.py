@@ -1,5 +1,5 @@
-"""How far a cell is from the edge of its own motion, by a way that knows nothing of curves: a sweep that inherits drags the
-motion along from the cell until its label changes, or its force jumps to that of another motion with the same label."""
+"""Distance of a cell from the boundary of its own motion, independently of curves: an inheriting sweep continues the motion
+from the cell until its label changes, or its force jumps to that of another motion with the same label."""
 
 import re
 
@@ -31,7 +31,7 @@ amplitude_m = 0.89e-3
 
 
 def random_rigs(seed, count):
-    """Each with a window of frequencies and gaps: {zeta, stop, eta, gap}."""
+    """Rigs, each with a window of frequencies and gaps: {zeta, stop, eta, gap}."""
     return [{**rig, "stop": kept_claims.spring(rig["ki"], rig["ci"]), "eta": rig["eta"] / 2}
             for rig in kept_claims.random_rigs(seed, count)]
 
@@ -66,7 +66,7 @@ def label_of(cells, cell):
 
 
 def drag(folder, rig, place, side, to, state, steps):
-    """Values along a side from a place on, and labels and forces of the motion that is dragged along."""
+    """Values along a side from a point on, and labels and forces of the continued motion."""
     other = SIDES[1 - SIDES.index(side)]
     low, high = sorted([place[side], to])
     direction = f'direction = "{"up" if to > place[side] else "down"}"\n'
@@ -82,14 +82,14 @@ def drag(folder, rig, place, side, to, state, steps):
 
 
 def jumps(forces):
-    """Whether the force leaps from each point to the next: by far more than it does before and after."""
+    """Whether the force jumps between successive points: by far more than before and after."""
     changes = np.pad(np.abs(np.diff(forces)), 1)
     return (changes[1:-1] > 5 * np.maximum(changes[:-2], changes[2:])) & (changes[1:-1] > 1e-4 * forces[1:])
 
 
 def end_of_motion(folder, rig, place, side, to, state, label, steps=50, most_steps=3200):
-    """How far it is until the motion ends on the way to a value, infinite where it doesn't, and the step with which that was
-    seen: halved until it changes no more, for a basin that shrinks is left early by long steps. None where it goes on changing."""
+    """Distance at which the motion ends on the way to a value, infinite if it does not, and the step used: halved until the
+    distance no longer changes, because long steps leave a shrinking basin early. None if it does not converge."""
     before = None
     while steps <= most_steps:
         values, labels, forces = drag(folder, rig, place, side, to, state, steps)
@@ -104,7 +104,7 @@ def end_of_motion(folder, rig, place, side, to, state, label, steps=50, most_ste
 
 
 def disagreement(folder, rig, cells, cell, side):
-    """None where a cell's distance is what dragging its motion finds; "unknown" where it says so itself; else in words."""
+    """None if a cell's distance agrees with continuation of its motion; "unknown" if the cell says so itself; otherwise a description."""
     kind, told = int(cells[f"kind_{side}"][cell]), float(cells[f"distance_{side}"][cell])
     if kind == UNKNOWN:
         return "unknown"
@@ -129,7 +129,7 @@ def disagreement(folder, rig, cells, cell, side):
 
 
 def random_cells(cells, count, seed):
-    """With an edge or none, at random, as (cell, side)."""
+    """Random (cell, side), with an edge or without."""
     random = np.random.default_rng(seed)
     asked = [(tuple(map(int, cell)), side) for side in SIDES
              for cell in np.argwhere((cells["regime"] == PERIODIC) & (cells[f"kind_{side}"] >= FOLD))]
@@ -140,8 +140,8 @@ BORDER = re.compile(r"([\d.e+-]+) (fold|period doubling|grazing)")
 
 
 def borders_told(folder, rig, gap):
-    """(impacts, period, Omega/omega, orbits) of each border that the summary tells at a gap; no impact is 0, 1. Orbits are those
-    (x - y, x' - y') of its curves there."""
+    """(impacts, period, Omega/omega, orbits) of each border listed in the summary at a gap; no impact is 0, 1. Orbits are
+    those (x - y, x' - y') of its curves there."""
     axes = "".join(jobs.axis(name, *map(repr, window_of(rig)[name]), POINTS) for name in SIDES)
     jobs.write(folder, RIG.format(kind="curves", **rig) + axes + f"[curves]\ngap_ratio = [{float(gap)!r}]\n")
     finished = launch.run("run", "job.toml", "--fresh", cwd=folder)
@@ -158,7 +158,7 @@ def borders_told(folder, rig, gap):
 
 
 def orbits_at(data, frequency, gap):
-    """Of each curve that crosses a gap at a frequency: the orbit (x - y, x' - y') there, by cubics between its stored points."""
+    """The orbit (x - y, x' - y') of each curve that crosses a gap at a frequency, by cubic interpolation between its stored points."""
     orbits = []
     for curve in set(data["crossing_curve"][np.abs(data["crossing_frequency_ratio"] - frequency) < 1e-6]):
         first, count = (int(data[f"curve_{name}"][curve]) for name in ("first", "points"))
@@ -173,7 +173,7 @@ def orbits_at(data, frequency, gap):
 
 
 def ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits):
-    """Whether a motion of the label that begins beside a frequency, on an orbit of the curve there, ends when it is dragged over it."""
+    """Whether a motion of the label that begins near a frequency, on an orbit of the curve there, ends when continued across it."""
     for away in (sign * size for size in (1e-3, 1e-4, 1e-5) for sign in (-1, 1)):
         begin = {"frequency_ratio": frequency * (1 + away), "gap_ratio": gap}
         for orbit in orbits:
@@ -184,7 +184,7 @@ def ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits):
 
 
 def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts):
-    """Of each frequency: places (displacement, velocity) of the motions of a label that so many starts find."""
+    """For each frequency: states (displacement, velocity) of the motions of a label found from this many starts."""
     text = (RIG.format(kind="map", **rig) + jobs.axis("frequency_ratio", repr(float(frequencies[0])), repr(float(frequencies[-1])), len(frequencies))
             + jobs.axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1)
             + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = [-6.0, 2.0]\nvelocity_ratio = [-6.0, 6.0]\n")
@@ -196,7 +196,7 @@ def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts):
 
 
 def ends_there(folder, rig, gap, impacts, period, frequency):
-    """Whether a motion of the label that starts find some way off ends at a frequency when it is dragged there."""
+    """Whether a motion of the label found from starts some distance away ends at a frequency when continued there."""
     for away in (-0.01, 0.01, -0.03, 0.03):
         begin, beyond = frequency * (1 + away), frequency * (1 - away / 10)
         for orbit in motions_with_label(folder, rig, gap, [begin], impacts, period, starts=64)[0]:
@@ -208,8 +208,8 @@ def ends_there(folder, rig, gap, impacts, period, frequency):
 
 
 def is_border(folder, rig, gap, impacts, period, frequency, orbits):
-    """Whether a motion of the label ends there, dragged from where starts find it or from the orbit of its curve, or is on one
-    side of a frequency only, within a small or a smaller distance."""
+    """Whether a motion of the label ends there, continued from where starts find it or from the orbit of its curve, or
+    exists on only one side of a frequency, within a small or a smaller distance."""
     if impacts and (ends_there(folder, rig, gap, impacts, period, frequency)
                     or ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits)):
         return True

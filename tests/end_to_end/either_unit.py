@@ -1,7 +1,7 @@
 """Small jobs of each kind over any two axes, with their coordinates as ratios or in SI units.
 
-A coordinate is "frequency", "gap", "displacement" or "velocity"; a job is made by a function of a Unit, which writes its keys and
-numbers. The rig is that of jobs.RIG, with the stop that an axis of a stop belongs to.
+A coordinate is "frequency", "gap", "displacement" or "velocity"; a job is made by a function of a Unit, which writes its
+keys and numbers. The rig is that of jobs.RIG, with the stop required by an axis of the stop.
 """
 
 import itertools
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import jobs
 
 HERTZ, METRES = 4.5, 0.89e-3
-# of each coordinate: its two keys, and what a ratio of 1 is in SI units
+# for each coordinate: its two keys, and the value of ratio 1 in SI units
 COORDINATES = {
     "frequency": ("frequency_ratio", "frequency_hz", HERTZ),
     "gap": ("gap_ratio", "gap_m", METRES),
@@ -22,7 +22,7 @@ COORDINATES = {
 
 @dataclass(frozen=True)
 class Unit:
-    """In which the coordinates of a job are given: those named are in SI units."""
+    """The units of a job's coordinates: the named ones are in SI units."""
 
     in_si: tuple = ()
 
@@ -40,7 +40,7 @@ class Unit:
         return jobs.axis(table + self.key(name), repr(float(self.number(name, first))), repr(float(self.number(name, last))), points)
 
 
-WITHOUT_PERIOD = (2, 4)  # regimes that rounding may lead elsewhere: chaotic, unresolved
+WITHOUT_PERIOD = (2, 4)  # regimes that rounding may change: chaotic, unresolved
 RATIOS = Unit()
 SI = Unit(tuple(COORDINATES))
 MIXED = Unit(("frequency", "velocity"))
@@ -66,7 +66,7 @@ def swept(unit, more=""):
     return (rig("sweep") + unit.axis("frequency", 1.5, 2.6, 12) + "[sweep]\nsamples = 8\n" + unit.line("gap", [0.5, 1.5]) + more)
 
 
-# of each feature: the text of its job in a unit
+# for each feature: its job text as a function of the unit
 FEATURES = {
     "map": lambda unit: rig("map") + plane(unit) + start(unit),
     "map, rows and columns swapped": lambda unit: rig("map") + unit.axis("gap", 0, 2, 6) + unit.axis("frequency", 1, 3, 7),
@@ -91,8 +91,8 @@ FEATURES = {
     "study of labels": lambda unit: rig("study") + '[study]\ntopic = "labels"\ntolerances = [1e-5]\n' + plane(unit, 3),
 }
 
-# Of each axis: its key, a coordinate for what has two units; where it runs from and to; of how many points; the law of its stop.
-# What a ratio is in SI units changes along some of them: their middle point is the rig's own.
+# For each axis: its key (a coordinate if it has two units); its ends; number of points; the law of its stop. The value of
+# ratio 1 in SI units varies along some of them: their middle point is the rig's own.
 @dataclass(frozen=True)
 class Along:
     key: str
@@ -130,24 +130,24 @@ CURVES_REFUSED = {
     "dissipation of the stop": "they rest on the closed form of the motion, which a nonlinear stop has not",
 }
 ANOTHER_LAW = "the stop of this job has another law"
-NEVER_BOTH = [  # axes that no map has together, and why
+NEVER_BOTH = [  # axes that no map combines, and why
     ("natural frequency", "spring", "says the same as"), ("restitution", "stop's damping", ANOTHER_LAW),
     ("stop's stiffness", "restitution", ANOTHER_LAW), ("dissipation of the stop", "restitution", ANOTHER_LAW),
     ("dissipation of the stop", "stop's damping", ANOTHER_LAW), ("dissipation of the stop", "stop's stiffness", ANOTHER_LAW),
 ]
 PAIRS = [pair if n % 2 else pair[::-1] for n, pair in enumerate(itertools.combinations(AXES, 2))
          if not any(set(pair) == {one, other} for one, other, _ in NEVER_BOTH)]
-# near the fold of 1/1, a little below it, from a start that leads to 1/1: motions end within these axes
+# near the fold of 1/1, slightly below it, from a start that leads to 1/1: motions end within these axes
 PLACE = {"frequency": 1.86, "gap": 1.5, "displacement": -1.0, "velocity": 2.0}
 
 
 def changes_units(axes):
-    """The axes along which a ratio isn't the same number of Hz, m or m/s everywhere."""
+    """The axes along which the value of ratio 1 in Hz, m or m/s varies."""
     return [name for name in axes if name in ("amplitude", "natural frequency", "spring") or (name == "mass" and "spring" in axes)]
 
 
 def over(kind, axes, unit, finer=1, more=""):
-    """A job over these axes; all else is at PLACE, in the unit. `finer`: so many times as many cells along each axis."""
+    """A job over these axes; all else is at PLACE, in the unit. `finer`: refinement factor along each axis."""
     law = next((AXES[name].law for name in axes if AXES[name].law), "")
     text = rig(kind).replace(jobs.KELVIN_VOIGT, STOPS[law])
     for name in axes:
@@ -166,7 +166,7 @@ def over(kind, axes, unit, finer=1, more=""):
 
 
 def free_swing(unit, along):
-    """The stop's distance from the steady swing without it, over A0; `along`: {coordinate of the picture: values}."""
+    """Distance of the stop from the steady oscillation without it, over A0; `along`: {coordinate of the picture: values}."""
     def of(name, scale):
         ratio, si, own = COORDINATES[name]
         if ratio in along:
@@ -186,7 +186,7 @@ def curves_over(axes, unit):
     return over("curves", axes, unit, 2, "[curves]\nmax_period = 1\nedge_distance = true\n" + gaps)
 
 
-# of each combination that means nothing: the text of its job, and the reason that is told; axes in either unit
+# for each meaningless combination: its job text, and the reported reason; axes in either unit
 REFUSALS = {
     **{f"curves over the {name}": (lambda unit, name=name: over("curves", ("frequency", name), unit, 2), reason)
        for name, reason in CURVES_REFUSED.items()},

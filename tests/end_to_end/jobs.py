@@ -21,7 +21,7 @@ def axis(name, first, last, points):
 
 
 def small_map(columns=40, rows=35, title="small map"):
-    """Nine tiles, those at two edges cropped; every regime but sustained contact occurs."""
+    """Nine tiles, those at two edges cropped; all regimes except sustained contact occur."""
     return (RIG.format(kind="map", title=title)
             + axis("frequency_ratio", 0.5, 4.5, columns) + axis("gap_ratio", 0.0, 5.0, rows))
 
@@ -39,12 +39,12 @@ def map_of_steps(columns, rows):
 
 
 def larger_map():
-    """400 tiles: a signal meets the run at work."""
+    """400 tiles: long enough to be interrupted by a signal."""
     return small_map(columns=320, rows=320, title="larger map")
 
 
 def medium_map():
-    """64 tiles, 549 kB: to be broken and repaired many times."""
+    """64 tiles, 549 kB: to be damaged and repaired many times."""
     return small_map(columns=128, rows=128, title="medium map")
 
 
@@ -60,7 +60,7 @@ def with_rigid_stop(job):
 
 
 def small_basin(points=24):
-    """Gap/A0 1.60 at 1.8 times the natural frequency, where impacts and no impact both survive."""
+    """Gap/A0 1.60 at 1.8 times the natural frequency, where impacts and no impact coexist."""
     return (RIG.format(kind="basin", title="small basin")
             + "[operating_point]\nfrequency_ratio = 1.8\ngap_ratio = 1.60\n"
             + axis("displacement_ratio", -3.0, 1.5, points) + axis("velocity_ratio", -4.0, 4.0, points))

@@ -1,6 +1,6 @@
-"""Claims of cells against runs that know better: how often each was tried, and how often it was broken.
+"""Claims of cells against more expensive verification: number of trials and of violations.
 
-All functions solve maps of one rig in a folder, and return (tried, broken) or what is named.
+All functions solve maps of one rig in a folder, and return (tried, violated) unless stated otherwise.
 """
 
 import h5py
@@ -62,7 +62,7 @@ def solve(folder, rig, *extra):
 
 
 def random_rigs(seed, count, **limits):
-    """Spring-dashpot stops from soft and nearly elastic to overdamped, hammers of little loss, gaps from -0.4 A0."""
+    """Spring-dashpot stops from soft and nearly elastic to overdamped, lightly damped hammers, gaps from -0.4 A0."""
     random = np.random.default_rng(seed)
     rigs = []
     for _ in range(count):
@@ -87,7 +87,7 @@ def decided_by_rounding(*all_cells):
 
 
 def rigid_rigs(seed, count):
-    """Rigid stops, from plastic to nearly elastic, hammers of little loss."""
+    """Rigid stops, from plastic to nearly elastic, lightly damped hammers."""
     random = np.random.default_rng(seed)
     return [{"zeta": float(np.exp(random.uniform(np.log(0.002), np.log(0.05)))), "eta": float(random.uniform(0.8, 7)),
              "gap": float(random.uniform(0, 1.2)),
@@ -95,8 +95,8 @@ def rigid_rigs(seed, count):
 
 
 def cubic_left_out(folder, rig):
-    """Labels and forces without the cubic term, where rounding decides neither, against runs that keep it: no label differs,
-    no force by more than omit_tolerance."""
+    """Labels and forces without the cubic term, where rounding decides neither,
+    against runs that keep it: labels agree, and forces to omit_tolerance."""
     without = solve(folder, rig)
     kept = solve(folder, rig, "--set", "solver.omit_tolerance=0")
     told = decided_by_rounding(without, kept)
@@ -107,8 +107,8 @@ def cubic_left_out(folder, rig):
 
 
 def one_orbit_one_force(folder, rig):
-    """Pairs of starts that lead to the same orbit: forces agree to 1e-9, and multipliers to 1e-6 unless a cell calls itself
-    imprecise. And the longest period met."""
+    """Pairs of starts that lead to the same orbit: forces agree to 1e-9, and multipliers to 1e-6 unless a cell is flagged
+    imprecise. Also returns the longest period."""
     starts = [(0.0, 0.0), (-3.0, 1.0), (-1.5, -2.0), (-4.0, 0.5)]
     maps = [solve(folder, {**rig, "cubic": 0.0, "x": min(x, rig["gap"]), "v": v}) for x, v in starts]
     pairs = broken = longest = 0
@@ -127,7 +127,7 @@ def one_orbit_one_force(folder, rig):
 
 
 def chaos_that_turns(folder, rig):
-    """Cells called chaotic where impacts go on for ever, and those of them that settle within 20,000 cycles."""
+    """Cells called chaotic where impacts never end, and those of them that settle within 20,000 cycles."""
     cells = solve(folder, rig)
     later = solve(folder, rig, "--set", "steady_state.chaos_cycles=70000", "--set", "steady_state.max_cycles=20000")
     square = cells["frequency"] ** 2
@@ -137,7 +137,7 @@ def chaos_that_turns(folder, rig):
 
 
 def last_bit_of_an_input(folder, rig):
-    """Labels that change when an input moves by its last bit, though no sensitivity says so."""
+    """Labels that change when an input changes by its last bit, although no sensitivity indicates it."""
     rig = {**rig, "cubic": 0.0}
     cells = solve(folder, rig)
     tried = broken = 0

@@ -1,4 +1,4 @@
-"""What places of operating_point.py promise, against starts and places at random: each a run of its own, which knows no other."""
+"""Promises of operating_point.py, against random starts and places: each an independent run."""
 
 import re
 import subprocess
@@ -15,7 +15,7 @@ import launch
 PROGRAM = Path(__file__).resolve().parents[2] / "postprocess" / "operating_point.py"
 NATURAL_HZ, AMPLITUDE_MM = 4.5, 0.89
 RECTANGLE = {"displacement": (-4.0, 1.0), "velocity": (-4.0, 4.0)}
-INSIDE = 0.99  # of a box: its place is told with five digits
+INSIDE = 0.99  # of a box: its place is printed with five digits
 RIG = """
 schema = 1
 kind = "map"
@@ -31,13 +31,13 @@ amplitude_m = 0.89e-3
 
 
 def random_rigs(seed, count):
-    """Tables of jobs, each with a window of frequencies and gaps: (text, {axis: (from, to)})."""
+    """Job tables, each with a window of frequencies and gaps: (text, {axis: (from, to)})."""
     rigs = [{**rig, "stop": kept_claims.spring(rig["ki"], rig["ci"])} for rig in kept_claims.random_rigs(seed, count)]
     return [(RIG.format(**rig), {"frequency_ratio": (0.6, 4.0), "gap_ratio": (0.0, 2.0)}) for rig in rigs]
 
 
 def places(folder, rig, window, starts, which, drift, points=60):
-    """[(frequency in Hz, gap in mm, "p/q", smallest share)] that are told of a map, none where none is; (hz, mm) drift."""
+    """[(frequency in Hz, gap in mm, "p/q", smallest share)] reported for a map, possibly empty; (hz, mm) is the drift."""
     axes = "".join(jobs.axis(name, *map(repr, ends), points) for name, ends in window.items())
     jobs.write(folder, rig + axes + f"[starts]\ncount = {starts}\ndisplacement_ratio = {list(RECTANGLE['displacement'])}\n"
                f"velocity_ratio = {list(RECTANGLE['velocity'])}\n")
@@ -52,7 +52,7 @@ def places(folder, rig, window, starts, which, drift, points=60):
 
 
 def ends_of(folder, rig, place, drift, chance, tries, grid=(15, 14)):
-    """How many of `tries` times 210 random starts end in which label, each lot of them at a random place of the box."""
+    """Number of random starts, `tries` times 210, that end in each label, each batch at a random point of the box."""
     ends = Counter()
     for _ in range(tries):
         eta = (place[0] + INSIDE * drift[0] * chance.uniform(-1, 1)) / NATURAL_HZ

@@ -1,4 +1,4 @@
-"""Runs that are killed with SIGKILL at random moments, one after the other on the same file, and what they leave."""
+"""Runs killed by SIGKILL at random times, repeatedly on the same file, and the state they leave."""
 
 import os
 import select
@@ -17,14 +17,14 @@ LONGEST_WAIT = 0.8  # seconds from the start, or from the first cell, to the kil
 
 @dataclass
 class Toll:
-    """What became of the kills; the last three should stay 0."""
+    """Outcome of the kills; the last three must stay 0."""
 
     kills: Counter = field(default_factory=Counter)  # by victim
-    maps: int = 0  # that came to their end
+    maps: int = 0  # completed
     before_the_file: int = 0  # kills before there was a file
-    half_done: int = 0  # kills that met a file with some tiles done, and some not
+    half_done: int = 0  # kills while some tiles were done and some not
     unreadable: int = 0
-    wrong_tiles: int = 0  # marked as done, and not what they should be
+    wrong_tiles: int = 0  # marked as done with wrong contents
     different_maps: int = 0
 
     @property
@@ -44,14 +44,14 @@ def kill(process, victim, random):
     for pid in victims:
         os.kill(pid, signal.SIGKILL)
     process.communicate(timeout=launch.HANGING)
-    for descriptor in watched:  # no rank outlives mpirun for long
+    for descriptor in watched:  # ranks must not outlive mpirun for long
         assert select.select([descriptor], [], [], launch.HANGING)[0], "a rank goes on after the end of mpirun"
         os.close(descriptor)
     return bool(victims)
 
 
 def run_and_kill(folder, ranks, victim, random):
-    """Whether there was somebody to kill before the run came to its end by itself."""
+    """Whether a process could be killed before the run ended by itself."""
     process = launch.start("run", "job.toml", cwd=folder, ranks=ranks)
     if random.random() < 0.7:
         process.stderr.readline()  # "... cells to compute"
@@ -86,7 +86,7 @@ def finish(folder, whole, toll):
 
 
 def campaign(folder, whole, kills, random):
-    """Kills so many runs of the folder's job; `whole` is its map from a run without interruption."""
+    """Kills this many runs of the folder's job; `whole` is its map from an uninterrupted run."""
     toll = Toll()
     ranks = None
     while toll.kills.total() < kills:
@@ -98,5 +98,5 @@ def campaign(folder, whole, kills, random):
         else:
             finish(folder, whole, toll)
     finish(folder, whole, toll)
-    assert toll.half_done > 0, toll  # else nothing was tried
+    assert toll.half_done > 0, toll  # otherwise nothing was tested
     return toll

@@ -11,7 +11,7 @@ MPIEXEC = os.environ.get("MPIEXEC", "mpirun")
 DEALING_CHECK = BINARY.with_name("dealing_check")
 
 MPI_SETTINGS = Path(__file__).parents[2] / "jobs" / "mpi_environment.sh"
-HANGING = 300  # seconds after which a run is taken to hang
+HANGING = 300  # seconds after which a run is considered to hang
 
 
 def environment():
@@ -29,8 +29,8 @@ def command(*arguments, ranks=None, binary=BINARY):
 
 
 def run(*arguments, cwd, ranks=None, binary=BINARY, alone=False):
-    """Runs to the end; gives returncode, stdout and stderr. `alone`: without the daemon that Open MPI 4 starts beside a program
-    that no mpirun started, which takes longer than a small job."""
+    """Runs to the end; returns returncode, stdout and stderr. `alone`: without the daemon that Open MPI 4 starts beside a
+    program not started by mpirun, which takes longer than a small job."""
     return subprocess.run(
         command(*arguments, ranks=ranks, binary=binary),
         cwd=cwd, env=ENVIRONMENT | ({"OMPI_MCA_ess_singleton_isolated": "1"} if alone else {}), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGING,
@@ -38,7 +38,7 @@ def run(*arguments, cwd, ranks=None, binary=BINARY, alone=False):
 
 
 def start(*arguments, cwd, ranks=None):
-    """Starts and returns the running process, its stdout and stderr as pipes."""
+    """Starts the process and returns it, with stdout and stderr as pipes."""
     return subprocess.Popen(
         command(*arguments, ranks=ranks),
         cwd=cwd, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -46,40 +46,40 @@ def start(*arguments, cwd, ranks=None):
 
 
 def hands_on_last_words():
-    """Whether mpirun hands on what ranks write after it was told to end; Open MPI 5 doesn't."""
+    """Whether mpirun forwards the ranks' output after it was told to end; Open MPI 5 does not."""
     version = subprocess.run([MPIEXEC, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
     return "Open MPI" not in version or re.search(r"Open MPI\) (\d+)", version)[1] == "4"
 
 
 def computing(process):
-    """The process numbers of the program itself: of all ranks, where mpirun started them."""
+    """Process ids of the program itself: all ranks, if started by mpirun."""
     found, ahead = [], [process.pid]
     while ahead:
         pid = ahead.pop()
         try:
             if os.readlink(f"/proc/{pid}/exe") == str(BINARY):
                 found.append(pid)
-            for thread in Path(f"/proc/{pid}/task").iterdir():  # Open MPI 5 starts ranks from one of mpirun's
+            for thread in Path(f"/proc/{pid}/task").iterdir():  # Open MPI 5 starts ranks from one of mpirun's threads
                 ahead += map(int, (thread / "children").read_text().split())
         except (FileNotFoundError, ProcessLookupError):
-            pass  # it has ended meanwhile
+            pass  # it has ended in the meantime
     return sorted(found)
 
 
 def told_megabytes(checked):
-    """The memory of a rank that `check` told."""
+    """The memory per rank that `check` reported."""
     size, unit = re.search(r"memory +about ([\d.]+) (MB|GB) per rank", checked.stdout).groups()
     return float(size) * (1000 if unit == "GB" else 1)
 
 
 def largest_resident_megabytes(process):
-    """Of a process that runs the program, looked at until it ends."""
+    """Peak memory of a process that runs the program, sampled until it ends."""
     most = 0.0
     while process.poll() is None:
         for pid in computing(process):
             try:
                 status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
-            except OSError:  # it has ended meanwhile
+            except OSError:  # it has ended in the meantime
                 continue
             most = max([most, *(1.024e-3 * int(size) for size in re.findall(r"VmHWM:\s+(\d+) kB", status))])
         time.sleep(0.005)
@@ -87,5 +87,5 @@ def largest_resident_megabytes(process):
 
 
 def messages(finished):
-    """What the program itself said on stderr, without mpirun's own remarks."""
+    """The program's own messages on stderr, without mpirun's."""
     return [line for line in finished.stderr.splitlines() if line.startswith("peterka: ")]

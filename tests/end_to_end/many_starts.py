@@ -1,4 +1,4 @@
-"""Jobs with [starts], and the sequence of their starts by other arithmetic than the program's."""
+"""Jobs with [starts], and an independent computation of their sequence of starts."""
 
 from fractions import Fraction
 
@@ -14,13 +14,13 @@ def table(count, displacement=(-4.0, 1.0), velocity=(-4.0, 4.0), attractors=8):
 
 
 def small_map(count=24, columns=40, rows=35, fields=()):
-    """The window in which two attractors are common, in tiles that are cropped at two edges."""
+    """A window in which two attractors are common, with tiles cropped at two edges."""
     output = f'[output]\nfields = {list(fields)}\n'.replace("'", '"')
     return jobs.small_map(columns, rows, title="small map of attractors") + output + table(count)
 
 
 def plastic(digits=60):
-    """1/g with g^3 = g + 1, as a fraction: by bisection."""
+    """1/g with g^3 = g + 1 (plastic number; R2 sequence, Roberts 2018), as a fraction, by bisection."""
     low, high = Fraction(1), Fraction(2)
     for _ in range(digits * 4):
         middle = (low + high) / 2
@@ -29,7 +29,7 @@ def plastic(digits=60):
 
 
 def starts(count, displacement, velocity):
-    """x(0)/A0 and x'(0)/(A0 omega) of each start, (count, 2), where the stop squeezes none of them."""
+    """x(0)/A0 and x'(0)/(A0 omega) of each start, (count, 2), for starts not constrained by the stop."""
     step = plastic()
     points = []
     for n in range(count):

@@ -1,4 +1,4 @@
-"""What a map file holds, for comparing two of them."""
+"""Contents of a map file, for comparison with another."""
 
 import h5py
 import numpy as np
@@ -7,7 +7,7 @@ TILE = 16  # rows and columns
 
 
 def datasets(path):
-    """Name -> (type, shape, bytes) of every dataset outside /run, which alone may differ between two runs."""
+    """Name -> (type, shape, bytes) of every dataset except /run, which may differ between runs."""
     found = {}
 
     def collect(name, item):
@@ -37,7 +37,7 @@ def tile_count(path):
 
 
 def tile_of_cells(file):
-    """The number of the tile in which each cell lies; in a sweep the branch, with [starts] the gap."""
+    """Tile index of each cell; for a sweep the branch, with [starts] the gap."""
     rows, columns = file["regime"].shape
     if "direction" in file:
         return np.repeat(np.arange(rows)[:, None] // (rows // file["tiles/done"].size), columns, axis=1)
@@ -46,26 +46,26 @@ def tile_of_cells(file):
 
 
 def cell_fields(file):
-    """Names of what is stored for each cell, be it a number or several."""
+    """Names of the datasets stored per cell, with one or several numbers."""
     cells = file["regime"].shape
     return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape[:2] == cells]
 
 
 def slots_of(file):
-    """Names of what is stored for each attractor of a cell of a map with [starts]."""
+    """Names of the datasets stored per attractor of a cell of a map with [starts]."""
     if "direction" in file or "basin_share" not in file:
         return []
     return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape == file["basin_share"].shape]
 
 
 def own_slots(file):
-    """{name: values} of the slots that starts of their own cell found, 0 in all others: what a map has before it is told what
-    it knows besides (tests with room for all)."""
+    """{name: values} of the slots found by the cell's own starts, 0 in all others: a map's contents before it receives
+    further known motions (for tests with room for all)."""
     return {name: np.where(file["basin_share"][()] > 0, file[name][()], 0) for name in slots_of(file)}
 
 
 def wrong_tiles(path, expected):
-    """Number of tiles that are marked as done and differ from those of the finished map `expected`, in what their cells found."""
+    """Number of tiles marked as done that differ from those of the finished map `expected` in what their cells found."""
     with h5py.File(path, "r") as file, h5py.File(expected, "r") as whole:
         tile = tile_of_cells(file)
         differs = np.zeros(tile.shape, dtype=bool)
@@ -80,7 +80,7 @@ def wrong_tiles(path, expected):
 
 
 def take_out(path, tiles):
-    """Puts the map back to a state in which these tiles are not yet computed."""
+    """Resets the map to a state in which these tiles are not computed."""
     with h5py.File(path, "r+") as file:
         cells = np.isin(tile_of_cells(file), tiles)
         for name in cell_fields(file):

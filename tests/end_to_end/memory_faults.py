@@ -1,9 +1,9 @@
-"""One allocation fails in a small run of each kind, as where memory has run out, and what must come of it.
+"""A single allocation fails in a small run of each kind, as if out of memory, and the required outcome.
 
-Either the file is written all the same and is the right one, or the run says in one line what failed, and the next one makes
-the right file out of what is left. Whose allocation it is decides how the run may end: one of the program's own ends it with 70
-(3 where a file is at fault for it), in words; HDF5, Open MPI and SUNDIALS may crash over one of theirs, and the file is right
-then, too.
+Either the file is written nevertheless and is correct, or the run reports the failure in one line, and the next run produces
+the correct file from what is left. The allocation's owner determines how the run may end: a failure of the program's own
+ends it with 70 (3 if a file is at fault), with a message; HDF5, Open MPI and SUNDIALS may crash on one of theirs, and the
+next file must be correct then, too.
 """
 
 import re
@@ -17,8 +17,8 @@ LIBRARY = launch.BINARY.with_name("faulty_memory.so")
 KINDS = disk_faults.KINDS
 OWNERS = ("program", "libhdf5", "libmpi", "libsundials")
 SAID = re.compile(r"memory|MPI_ERR|failed: (no reason given|unable to|can't)")
-# A library may hide why it failed, and then the words blame the file; toml++ blames the job, for it reads numbers by streams,
-# which hide that memory ran out.
+# A library may hide the cause, and the message then blames the file; toml++ blames the job, because it reads numbers by
+# streams, which hide an allocation failure.
 OF_TOML = "TOML syntax, floating-point"
 
 
@@ -32,14 +32,14 @@ def run(folder, owner, **faults):
 
 
 class Kind(RightFile):
-    """What comes of an allocation that fails in a run of one kind."""
+    """Outcomes of a failed allocation in a run of one kind."""
 
     def __init__(self, name, folder):
         super().__init__(folder, KINDS[name])
         self.name = name
 
     def places(self, owner):
-        """[(number of the first allocation, of the last)] of each place, a stack of calls, that allocates in a whole run."""
+        """[(number of the first allocation, of the last)] for each call stack that allocates in a whole run."""
         self.clear()
         report = self.folder / "places"
         report.write_text("")
@@ -48,7 +48,7 @@ class Kind(RightFile):
         return sorted(tuple(map(int, line.split())) for line in report.read_text().splitlines())
 
     def fails(self, owner, number):
-        """(how the run ended: "went on", "said so", "crashed"; what is wrong: "" where nothing is)."""
+        """(how the run ended: "went on", "said so", "crashed"; the fault: "" if there is none)."""
         self.clear()
         try:
             finished = run(self.folder, owner, at=number)

@@ -1,16 +1,16 @@
-"""A small job of some kind, the right file of it, and whether what a disturbed run has left is that file, or leads to it."""
+"""A small job of some kind, its correct file, and whether a disturbed run has left that file or can be resumed to it."""
 
 import launch
 import map_contents
 
 NAME = "job.h5"
 
-# Open MPI removes them when it closes a file; those whose removal fails stay, for nobody else knows them.
+# Open MPI removes them when it closes a file; those it fails to remove stay, because nothing else knows of them.
 MPI_FILES = {NAME + ".data.0", NAME + ".metadata.0"}
 
 
 class RightFile:
-    """`begun`: the bytes from which each run goes on; None where each begins anew."""
+    """`begun`: the bytes from which each run resumes; None if each begins anew."""
 
     def __init__(self, folder, job):
         self.folder = folder
@@ -21,19 +21,19 @@ class RightFile:
         assert made.returncode == 0, made.stderr
 
     def clear(self):
-        """Before each run."""
+        """Called before each run."""
         for path in self.folder.glob(NAME + "*"):
             path.unlink()
         if self.begun is not None:
             (self.folder / NAME).write_bytes(self.begun)
 
     def problem_of_next_run(self):
-        """"" where it ends well, else what it says."""
+        """"" if it succeeds, otherwise its message."""
         again = launch.run("run", "job.toml", "--quiet", cwd=self.folder)
         return f"the next run ends with {again.returncode}: {again.stderr[-300:]}" if again.returncode != 0 else ""
 
     def problem_of_file(self, code):
-        """Of a file that some run ended with 0 on; `code` is that of the disturbed one."""
+        """Checks a file on which some run ended with 0; `code` is that of the disturbed one."""
         try:
             map_contents.assert_same_map(self.folder / NAME, self.right)
         except (AssertionError, OSError, KeyError) as error:

@@ -1,4 +1,4 @@
-"""Shares of cells in which chaos may end on a motion without impact, against runs of their own from a grid of starts."""
+"""Shares of cells in which chaos may end in motion without impact, against separate runs from a grid of starts."""
 
 import math
 
@@ -28,7 +28,7 @@ def solve(folder, text, name):
 
 
 def chaotic_cells(folder, rig, window, points=40):
-    """[(Omega/omega, gap/A0)] of a window where some of a few starts are chaotic and a motion without impact is known."""
+    """[(Omega/omega, gap/A0)] of a window where some of a few starts are chaotic and a motion without impact exists."""
     axes = "".join(jobs.axis(name, *map(repr, ends), points) for name, ends in window.items())
     cells = solve(folder, rig + axes + starts_table(16), "coarse")
     both = (cells["attractor_regime"] == CHAOTIC).any(axis=0) & (cells["attractor_regime"] == NO_IMPACT).any(axis=0)
@@ -36,7 +36,7 @@ def chaotic_cells(folder, rig, window, points=40):
 
 
 def shares(folder, rig, place):
-    """{regime: (share of the starts of the cell, share of as many on a grid, each in a run of its own)}."""
+    """{regime: (share of the cell's starts, share of as many on a grid, each in a separate run)}."""
     eta, gap = place
     cell = solve(folder, rig + jobs.axis("frequency_ratio", repr(float(eta)), repr(float(eta)), 1) + jobs.axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1)
                  + starts_table(COUNT), "cell")
@@ -51,6 +51,6 @@ def shares(folder, rig, place):
 
 
 def errors_apart(mine, theirs):
-    """How many binomial errors lie between two shares of COUNT starts."""
+    """Difference of two shares of COUNT starts in binomial standard errors."""
     both = (mine + theirs) / 2
     return (mine - theirs) / math.sqrt(2 * max(both * (1 - both), 0.5 / COUNT) / COUNT)

@@ -1,5 +1,5 @@
-"""Which machine and which other file a file names: hosts in the group /run alone, a trace's map by the way from the trace
-to it, and neither with output.anonymous."""
+"""References to machines and other files within a file: host names only in the group /run, a trace's map by the path
+relative to the trace, and neither with output.anonymous."""
 
 import platform
 
@@ -28,7 +28,7 @@ def compute(folder, text, *arguments):
 
 
 def places_of(path, name, run=True):
-    """Attributes and datasets that hold this name, with the group /run or without it."""
+    """Attributes and datasets that contain this name, with the group /run or without it."""
     found = []
 
     def look(where, thing):

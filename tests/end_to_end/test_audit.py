@@ -30,10 +30,10 @@ def test_the_independent_engine_agrees(audited_map):
     with xarray.open_dataset(file, group="audit") as audit:
         assert len(np.unique(audit.cell)) == 40
         assert set(audit.engine.values) == {3}  # arkode, while the map is solved in closed form
-        assert audit.agreeing_labels >= 0.95  # a cell or two may lie on a boundary
+        assert audit.agreeing_labels >= 0.95  # a few cells may lie on a boundary
         assert np.isfinite(audit.force_error).sum() > 8
         assert audit.force_error_median < 1e-9  # the integrator's tolerance
-        # one cell comes off the stop so slowly that the integrator's local errors grow 200-fold in the hop after it
+        # one cell leaves the stop so slowly that the integrator's local errors grow 200-fold in the following hop
         assert audit.force_error_largest < 1e-6
         assert "Audit: 40 cells" in summary
 
@@ -74,7 +74,7 @@ def test_is_the_same_at_any_number_of_ranks(tmp_path, audited_map, ranks):
 
 
 def test_sees_what_was_left_out(tmp_path):
-    """A cubic spring so strong that its effect is far above rounding, left out by a job that allows it."""
+    """A cubic spring whose effect is far above rounding, omitted by a job that permits it."""
     file, _ = audited(tmp_path, extra=["--set", "hammer.cubic_stiffness_n_per_m3=20000", "--set",
                                        "solver.omit_tolerance=1"])
     with h5py.File(file) as file:
@@ -82,7 +82,7 @@ def test_sees_what_was_left_out(tmp_path):
 
 
 def test_an_interrupted_audit_goes_on(tmp_path, audited_map):
-    """As if the run had been stopped after the first audited cells: the rest is audited, the map isn't touched."""
+    """As if the run had been stopped after the first audited cells: the rest is audited, the map is unchanged."""
     file, _ = audited(tmp_path)
     with h5py.File(file, "r+") as content:
         content["summary/finished"][()] = 0

@@ -1,4 +1,4 @@
-"""An audited map with [starts]: some starts of each audited cell are solved again in full by an independent engine."""
+"""An audited map with [starts]: an independent engine solves some starts of each audited cell again, in full."""
 
 import h5py
 import numpy as np
@@ -40,7 +40,7 @@ def test_starts_end_where_the_map_says_but_for_those_that_rounding_decides(audit
     assert audit["agreeing_starts"] == 1 - elsewhere.sum() / (24 * OF_A_CELL) > 0.9
     assert f"{24 * OF_A_CELL - elsewhere.sum()} of {24 * OF_A_CELL}" in summary
     assert "end on the attractor that the map says" in summary
-    with h5py.File(file) as cells:  # several attractors, or the starts had nothing to choose from
+    with h5py.File(file) as cells:  # several attractors, otherwise the starts have no alternative
         assert np.sum(cells["attractors"][()].ravel()[audit["cell"]] > 1) > 5
 
 
@@ -50,7 +50,7 @@ def test_is_the_same_at_any_number_of_ranks(tmp_path, audited_map, ranks):
 
 
 def test_sees_what_was_left_out(tmp_path):
-    """A cubic spring so strong that it turns starts to other attractors, left out by a job that allows it."""
+    """A cubic spring so strong that it moves starts to other attractors, omitted by a job that permits it."""
     extra = ["--set", "hammer.cubic_stiffness_n_per_m3=2e5", "--set", "solver.omit_tolerance=1"]
     audit = read(audited(tmp_path, extra=extra, count=OF_A_CELL, columns=8, rows=6)[0])
     assert audit["starts_elsewhere"].sum() > audit["starts_decided_by_rounding"].sum()

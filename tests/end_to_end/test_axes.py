@@ -1,5 +1,5 @@
-"""Maps over any two numbers that a cell may have for itself: each cell is that of a job with these numbers in its tables,
-at any number of ranks; resuming, refining, auditing, tracing, comparing and drawing know the axes."""
+"""Maps over any two numbers that may vary per cell: each cell equals that of a job with these numbers in its tables, at any
+number of ranks; resuming, refining, auditing, tracing, comparing and drawing support the axes."""
 
 import random
 import re
@@ -51,7 +51,7 @@ SAME = {"frequency_ratio": "frequency_hz", "stiffness_n_per_m": "natural_frequen
 
 
 def job_of_cell(text, values):
-    """A plain job of one cell over frequency and gap, as ratios, with the values of its cell in its tables."""
+    """A plain one-cell job over frequency and gap, as ratios, with the values of its cell in its tables."""
     plain = text[:text.index("\n[axes.")]
     numbers = {"frequency": None, "gap": None, "amplitude": 0.89e-3, "mass": 0.298, "stiffness": None, "natural": 4.5}
     for key, value in re.findall(r"(frequency_hz|gap_m|gap_ratio) = (\S+)", plain):
@@ -188,7 +188,7 @@ def test_a_trace_names_its_cell_by_values_on_these_axes(computed, tmp_path, name
         (x, _), (y, _) = [(file[key][()], key) for key, *_ in axes_of(MAPS[name])]
     row, column = 2, len(x) - 2
     between = np.sqrt(x[column] * x[column - 1]) if name == "stops" else (x[column] + x[column - 1]) / 2
-    near = between + (x[column] - between) * 0.1  # a cell reaches half a step out, in the logarithm where the axis has it
+    near = between + (x[column] - between) * 0.1  # a cell extends half a step, in the logarithm for a logarithmic axis
     jobs.write(tmp_path, jobs.trace_of(computed / f"{name}.h5", tables((columns, near), (rows, y[row]))))
     finished = launch.run("run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 0, finished.stderr

@@ -1,12 +1,12 @@
-"""Two units, one coordinate, over any two axes: the table of either_unit.py, row by row. Every kind and feature works over every pair
-of axes with its coordinates as ratios and in SI units, and gives the same numbers; or it is in the list of refusals, with its reason.
-At each commit what a file holds is compared over every pair, and what else is told over some of them; over every pair where
-PETERKA_EVERY_PAIR is set (tests/endurance.sh axes_and_units).
+"""Two units, one coordinate, over any two axes: the table of either_unit.py, row by row. Every kind and feature works over
+every pair of axes with its coordinates as ratios and in SI units, and gives the same numbers; or it is in the list of
+refusals, with its reason. At each commit the files' contents are compared over every pair, other output over some of them;
+over every pair if PETERKA_EVERY_PAIR is set (tests/endurance.sh axes_and_units).
 
-Numbers are the same within ROUNDING of the largest in their dataset. A verified motion has errors of rounding that grew by less than
-e^20 (status 0), so that a last bit of an input, eps / 2, may show as eps / 2 e^20 = 5e-8 in either file; what chaos or rounding decides
-(another status) is left out. Printed numbers are the same but for one in their last digit. Where an axis changes what a ratio is in SI
-units, two jobs are the same along its middle point alone."""
+Numbers agree within ROUNDING of the largest in their dataset. Rounding errors of a verified motion grow by less than e^20
+(status 0), so a last bit of an input, eps / 2, may appear as eps / 2 e^20 = 5e-8 in either file; cells decided by chaos or
+rounding (another status) are excluded. Printed numbers agree up to one unit in the last digit. If an axis changes the value
+of ratio 1 in SI units, two jobs agree only along its middle point."""
 
 import os
 import re
@@ -39,7 +39,7 @@ def with_either(pairs, *names):
 
 
 def shared(name, axes):
-    """Whether a ratio of this coordinate is the same in SI units in all cells of such a map."""
+    """Whether a ratio of this coordinate has the same SI value in all cells of such a map."""
     changing = changes_units(axes)
     lengths, rates = "amplitude" in changing, any(one != "amplitude" for one in changing)
     return not {"frequency": rates, "velocity": rates or lengths}.get(AXES[name].key, lengths)
@@ -50,11 +50,11 @@ def some(pairs):
 
 
 OVER_CURVES = [pair for pair in PAIRS if not with_either([pair], *CURVES_REFUSED)]
-LIVE = [pair for pair in PAIRS if "dissipation of the stop" not in pair]  # the page has no integrators, and says so
+LIVE = [pair for pair in PAIRS if "dissipation of the stop" not in pair]  # the page has no integrators, and reports it
 COMPARED = [pair for pair in PAIRS if not (changes_units(pair) and with_either([pair], *told.COORDINATES))]
 ALONG = [(name,) for name in AXES if not changes_units((name,))]  # each point of the others inherits from another rig's
-HAVE_HERTZ = [pair for pair in with_either(PAIRS, "frequency") if shared("frequency", pair)]  # a drift is asked for in Hz
-# Kind, feature, what tells it, over which axes, and in which units beside ratios.
+HAVE_HERTZ = [pair for pair in with_either(PAIRS, "frequency") if shared("frequency", pair)]  # a drift is given in Hz
+# Kind, feature, the function that reports it, the axes, and the units besides ratios.
 TABLE = [
     ("map", "stored", told.stored, PAIRS),
     ("map", "drawn", told.drawn("map", units="both"), some(PAIRS)),
@@ -88,7 +88,7 @@ def test_some_pairs_have_every_axis():
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory):
-    """{unit: file} of a kind over some axes, computed when they are first asked for: of one name, in a folder for each unit."""
+    """{unit: file} of a kind over some axes, computed on first use: with the same name, in one folder per unit."""
     folders = {unit: tmp_path_factory.mktemp(unit) for unit in UNITS}
 
     def in_units(kind, axes, units=BOTH):
@@ -131,7 +131,7 @@ def folder_for(folder, unit):
 
 
 def names_of(pair):
-    """Of a coordinate: its key as a ratio and in SI units, and its unit in a file."""
+    """For a coordinate: its key as a ratio and in SI units, and its unit in a file."""
     ratio, si, _ = pair
     return ratio, si, {"frequency_hz": "Hz", "velocity_m_per_s": "m/s"}.get(si, "m")
 
@@ -158,7 +158,7 @@ def test_a_file_has_both_units_of_each_axis_where_all_cells_share_them(files, ax
 
 @pytest.mark.parametrize("axes", PAIRS, ids=" and ".join)
 def test_the_line_of_the_free_swing_is_where_its_formula_says(files, axes):
-    """Dashed between cells in which a motion without impact exists and cells in which none does, over any axes, in either unit."""
+    """Dashed between cells with and without a motion without impact, over any axes, in either unit."""
     for unit, path in files("map", axes).items():
         window, lines = told.dashed(path)
         (columns, x), (rows, y) = window.items()
@@ -180,7 +180,7 @@ def test_maps_in_either_unit_are_compared(files, tmp_path, axes):
 
 
 class Regular:
-    """Which numbers of a file two units have to agree in: `apart` are cells that rounding may lead elsewhere, or whose rigs differ."""
+    """The numbers of a file on which two units must agree: `apart` masks cells that rounding may change, or whose rigs differ."""
 
     EACH_TO_ITSELF = ("point_residual", "branch_residual", "sensitivity", "cycles", "observed_cycles", "multiplier", "lyapunov",
                       "point_", "curve_first", "curve_points", "curve_begin", "curve_end", "work_precision")
@@ -189,7 +189,7 @@ class Regular:
         with h5py.File(path) as file:
             regime = file["regime"][()] if "regime" in file else np.zeros(0)
             self.apart = np.isin(regime, WITHOUT_PERIOD) | (file["status"][()] != 0 if "status" in file else False)
-            if "attractor_regime" in file:  # one start that rounding sends elsewhere
+            if "attractor_regime" in file:  # a start that rounding moves to another attractor
                 self.apart = self.apart | np.isin(file["attractor_regime"][()], WITHOUT_PERIOD).any(axis=0)
         self.differs = bool(changes_units(axes))
         self.across = [f"{of}_{AXES[name].key.replace('.', '_')}" for name in changes_units(axes) for of in ("edge_distance", "edge_kind")]
@@ -221,7 +221,7 @@ NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def words_agree(one, other):
-    """The same words, and numbers that differ by one in their last digit at most."""
+    """The same words, and numbers that differ by at most one in their last digit."""
     if len(one) != len(other):
         return False
     for first, second in zip(one, other):
@@ -237,7 +237,7 @@ def words_agree(one, other):
 
 
 def lines_of(numbers):
-    """Of each curve its points (n, 2), over the lengths of the axes."""
+    """The points (n, 2) of each curve, over the lengths of the axes."""
     sides = [name.removeprefix("point_") for name in numbers if name.startswith("point_") and np.ndim(numbers.get(name.removeprefix("point_"))) == 1]
     points = np.column_stack([numbers[f"point_{side}"] / np.ptp(numbers[side]) for side in sides])
     assert len(sides) == 2
@@ -245,7 +245,7 @@ def lines_of(numbers):
 
 
 def far_from(curves, others):
-    """The largest distance of a point of a curve from the other one's stretches."""
+    """The largest distance of a point of a curve from the other one's segments."""
     most = 0.0
     for points, line in zip(curves, others, strict=True):
         first, way = line[:-1], np.diff(line, axis=0)

@@ -1,4 +1,4 @@
-"""Sweeps along any one number of the rig: each point starts where the one before it ended, in metres and seconds."""
+"""Sweeps along any single number of the rig: each point starts where the previous one ended, in metres and seconds."""
 
 import re
 
@@ -13,7 +13,7 @@ from any_axes import LABEL, SWEEPS, axis
 @pytest.mark.parametrize("direction", ["up", "down"])
 @pytest.mark.parametrize("name", SWEEPS)
 def test_each_point_of_a_sweep_starts_where_the_one_before_ended(tmp_path, name, direction):
-    """Position and velocity in metres and seconds carry over: a job of the next point alone, started there, ends alike."""
+    """Position and velocity in SI units carry over: a job for the next point alone, started there, ends the same."""
     along, place = SWEEPS[name]
     key = re.search(r"\[axes\.(.*)\]", along)[1]
     coordinate = key.replace(".", "_")
@@ -32,12 +32,12 @@ def test_each_point_of_a_sweep_starts_where_the_one_before_ended(tmp_path, name,
     scales = [units_at(place, key, value) for value in values]
     checked, before = 0, None
     for point in order:
-        if before is not None and labels[before][2] == 1:  # one stroboscopic point: where it ended
+        if before is not None and labels[before][2] == 1:  # one stroboscopic point: the end state
             length, rate, eta, gap = scales[point]
             old_length, old_rate, old_eta, _ = scales[before]
             start = x[before, 0] * old_length / length
             speed = (v[before, 0] + old_eta) * old_length * old_rate / (length * rate)
-            if start < gap:  # no stop is in the way
+            if start < gap:  # the stop is not in the way
                 assert settles_in(tmp_path, text, key, values[point], start, speed) == (
                     tuple(labels[point]), pytest.approx(force[point], rel=1e-7, nan_ok=True)), point
                 checked += 1

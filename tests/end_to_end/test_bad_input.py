@@ -1,4 +1,4 @@
-"""Bad input: a clear message, told once, its exit code, and no file left behind that passes for a map."""
+"""Bad input: a clear message, printed once, the documented exit code, and no file left that could pass for a map."""
 
 import os
 import shutil
@@ -13,7 +13,7 @@ RANKS = [None, 3]
 
 
 def refused(folder, *arguments, code, saying, ranks=None):
-    """The run ends with `code`, and says why once, in these words; nothing else changes in the folder."""
+    """The run ends with `code` and gives the reason once, in these words; nothing else changes in the folder."""
     before = {path: path.read_bytes() if path.is_file() else None for path in folder.rglob("*")}
     finished = launch.run("run", *arguments, cwd=folder, ranks=ranks)
     assert finished.returncode == code, finished.stdout + finished.stderr
@@ -137,7 +137,7 @@ def test_a_map_larger_than_any_disk(tmp_path):
 
 
 def run_without_privileges(folder, *arguments):
-    """Root may write everywhere, so root gives that power up."""
+    """Root may write everywhere, so the test drops that capability."""
     limited = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"] if os.geteuid() == 0 else []
     return subprocess.run([*limited, *launch.command(*arguments)], cwd=folder, env=launch.ENVIRONMENT,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=launch.HANGING)

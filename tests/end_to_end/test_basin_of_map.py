@@ -1,4 +1,4 @@
-"""Basins with the rig and the place of a cell of a map: the same as those of a job that has these numbers itself."""
+"""Basins at a cell of a map, with its rig: identical to those of a job that gives these numbers itself."""
 
 import h5py
 import jobs
@@ -55,7 +55,7 @@ def test_it_is_that_of_a_job_with_the_numbers_that_were_asked_for(tmp_path, map_
     compute(tmp_path, own + "[operating_point]\nfrequency_hz = 8.1\ngap_m = 1.4e-3\n" + STARTS, "own.toml")
     assert_same_map(tmp_path / "job.h5", tmp_path / "own.h5")
     with h5py.File(tmp_path / "job.h5") as file, h5py.File(tmp_path / "own.h5") as other:
-        assert file.attrs["job"] == other.attrs["job"]  # the file keeps the numbers, not the name of the map
+        assert file.attrs["job"] == other.attrs["job"]  # the file stores the numbers, not the name of the map
         assert len(set(file["attractor"][()].ravel())) > 1
 
 

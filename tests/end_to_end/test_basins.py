@@ -1,4 +1,4 @@
-"""Basins: attractors known from pilot starts end the searches of others, and change only how long they take."""
+"""Basins: attractors known from pilot starts end the searches of others, and affect only the computing time."""
 
 import h5py
 import numpy as np
@@ -9,7 +9,7 @@ import map_contents
 
 
 def test_starts_end_in_the_neighbourhood_of_a_known_attractor(small_basin_file):
-    """One that starts there needs no cycle; without such knowledge a periodic cell takes three at least."""
+    """A start on one of them needs no cycle; without prior knowledge a periodic cell takes at least three."""
     with h5py.File(small_basin_file) as basin:
         periodic = basin["regime"][()] == 1
         cycles = basin["cycles"][()]
@@ -17,12 +17,12 @@ def test_starts_end_in_the_neighbourhood_of_a_known_attractor(small_basin_file):
         assert cycles[periodic].min() == 0
         assert cycles[periodic].mean() < 12
         values, cells = np.unique(forces, return_counts=True)
-        assert cells.max() > 0.9 * len(forces)  # the attractor's own value, to the last bit
+        assert cells.max() > 0.9 * len(forces)  # exactly the attractor's own value
         assert np.ptp(values) < 1e-9 * values[0]
 
 
 def test_an_independent_engine_finds_the_same_attractors(tmp_path):
-    """It knows nothing of pilots. Around the motion without impact, where its basin borders on that of 1/1."""
+    """The audit does not use pilots. Around the motion without impact, where its basin borders on that of 1/1."""
     jobs.write(tmp_path, jobs.small_basin() + "[audit]\ncells = 60\n")
     window = [f"axes.{axis}.{end}={value}" for axis, ends in
               {"displacement_ratio": (-0.5, 0.5), "velocity_ratio": (-1.5, 0.5)}.items()
@@ -45,7 +45,7 @@ def test_a_basin_that_was_stopped_goes_on_to_the_same_end(tmp_path, small_basin_
 
 
 def test_a_half_done_basin_is_completed(tmp_path, small_basin_file):
-    """The pilots run anew; what they find must be what the stored tiles were solved with."""
+    """The pilots run again; their result must be the one with which the stored tiles were solved."""
     jobs.write(tmp_path, jobs.small_basin())
     (tmp_path / "job.h5").write_bytes(small_basin_file.read_bytes())
     with h5py.File(tmp_path / "job.h5", "r+") as basin:

@@ -1,4 +1,4 @@
-"""The build itself: where it lies doesn't matter."""
+"""The build: its location does not matter."""
 
 import shutil
 import subprocess
@@ -15,7 +15,7 @@ def test_a_folder_may_have_a_space_in_its_name(tmp_path):
     configured = subprocess.run(["cmake", "-S", ".", "-B", "a build", "-G", "Ninja", "-DBUILD_TESTING=OFF"], cwd=source,
                                 capture_output=True, text=True)
     assert configured.returncode == 0, configured.stderr
-    # a source that includes HDF5 and MPI, and the header that is made for each build
+    # a source that includes HDF5 and MPI, and the header generated for each build
     built = subprocess.run(["cmake", "--build", "a build", "--target", "peterka_commit",
                             "CMakeFiles/peterka_core.dir/src/map_file/provenance.cpp.o"], cwd=source,
                            capture_output=True, text=True)

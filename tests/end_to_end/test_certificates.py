@@ -1,5 +1,5 @@
-"""Proofs of a map's cells: what the file holds of them, that each force lies within its bounds, and that bytes don't depend
-on ranks."""
+"""Proofs of a map's cells: their record in the file, that each force lies
+within its bounds, and independence of the bytes from the number of ranks."""
 
 import h5py
 import numpy as np

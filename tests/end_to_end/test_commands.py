@@ -1,4 +1,4 @@
-"""The commands and what they print: help, version, check, summary, progress, quiet."""
+"""The commands and their output: help, version, check, summary, progress, quiet."""
 
 import fcntl
 import os
@@ -60,7 +60,7 @@ def test_a_run_takes_the_memory_that_check_tells(tmp_path, scene):
     with launch.start("run", "job.toml", cwd=tmp_path) as process:
         taken = launch.largest_resident_megabytes(process)
     assert process.returncode == 0
-    assert 0.5 < taken / told < 1.2, (taken, told)  # small refined maps don't fill their regions
+    assert 0.5 < taken / told < 1.2, (taken, told)  # small refined maps do not fill their regions
 
 
 def test_what_check_prints_is_the_same_job(tmp_path, small_map_file):
@@ -113,7 +113,7 @@ STARTS_INSIDE = [  # job, its starts inside the stop of 5.5e6 N/m, how deep in A
 
 @pytest.mark.parametrize("job, which, depth", STARTS_INSIDE)
 def test_starts_inside_a_stop_that_yields_are_told(tmp_path, job, which, depth):
-    """As many words by check and by run; the stop presses with ki times the depth, less what the dashpot takes."""
+    """The same words from check and run; the stop presses with ki times the depth, minus the dashpot's part."""
     jobs.write(tmp_path, job)
     for command in (["check", "job.toml"], ["run", "job.toml"]):
         shown = launch.run(*command, cwd=tmp_path)
@@ -170,7 +170,7 @@ def test_quiet_is_quiet(tmp_path, ranks):
 
 
 def on_a_terminal(*arguments, cwd, ranks, columns=80):
-    """What a terminal so wide gets to see on stderr."""
+    """The stderr output on a terminal of this width."""
     mine, its = pty.openpty()
     fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
     process = subprocess.Popen(launch.command(*arguments, ranks=ranks), cwd=cwd, env=launch.ENVIRONMENT,
@@ -206,7 +206,7 @@ def test_on_a_terminal_progress_is_one_bar(tmp_path, ranks):
 @pytest.mark.parametrize("columns", [60, 40, 12])
 def test_progress_fits_a_narrow_terminal(tmp_path, ranks, columns):
     if ranks is not None and "mpich" in launch.MPIEXEC:
-        columns = 80  # nobody knows there whether somebody watches: progress is lines
+        columns = 80  # no terminal width is known: progress is printed as lines
     jobs.write(tmp_path, jobs.small_map())
     shown = on_a_terminal("run", "job.toml", cwd=tmp_path, ranks=ranks, columns=columns)
     assert "100.0 %" in shown

@@ -1,4 +1,4 @@
-"""Curves: the same at any number of ranks, open in xarray, on the edges of the map's labels, and words for what has none."""
+"""Curves: identical at any number of ranks, readable by xarray, on the edges of the map's labels, with messages if there are none."""
 
 import contextlib
 import re
@@ -54,7 +54,7 @@ def test_the_file_opens_in_xarray_and_each_point_obeys_its_equations(curves):
         assert np.isclose(np.abs(data.point_multiplier.values[of_fold]), 1, atol=1e-6).all()
 
 
-# Numbers of an independent program, at given gaps.
+# Reference values from an independent program, at given gaps.
 @pytest.mark.parametrize("kind, gap, frequency", [
     (DOUBLING, 1.0, 2.264326891), (DOUBLING, 1.0, 0.718391067), (FOLD, 1.5, 1.862464993)])
 def test_limits_of_1_1_lie_on_curves(curves, kind, gap, frequency):
@@ -64,7 +64,7 @@ def test_limits_of_1_1_lie_on_curves(curves, kind, gap, frequency):
         start, way = points[:-1], np.diff(points, axis=0)
         share = np.clip(np.sum((place - start) * way, axis=1) / np.maximum(np.sum(way**2, axis=1), 1e-300), 0, 1)
         distances.append(np.hypot(*(start + share[:, None] * way - place).T).min())
-    assert min(distances) < 1e-3  # of a straight line between two points of the curve
+    assert min(distances) < 1e-3  # from a straight line between two points of the curve
 
 
 def test_the_summary_explains_the_edges(curves):
@@ -77,7 +77,7 @@ def test_the_summary_explains_the_edges(curves):
 
 
 BORDERS = [(GRAZING, 0.0, 1.15008754), (DOUBLING, 0.0, 2.659361979), (DOUBLING, 1.0, 0.718391067),
-           (DOUBLING, 1.0, 2.264326891), (FOLD, 1.5, 1.862464993)]  # of 1/1, of the same independent program
+           (DOUBLING, 1.0, 2.264326891), (FOLD, 1.5, 1.862464993)]  # of 1/1, from the same independent program
 
 
 def test_borders_at_given_gaps_are_told_to_nine_digits(tmp_path):
@@ -96,7 +96,7 @@ def test_borders_at_given_gaps_are_told_to_nine_digits(tmp_path):
     assert "Borders at gap/A0 1.5 (1.335 mm)" in finished.stdout
 
 
-# With springs of 150 mm a curve passes places at which the stop presses again for an instant, and no longer.
+# With springs of 150 mm a curve passes points at which an additional brief contact appears or disappears.
 @pytest.mark.parametrize("springs", [(), ("--set", "hammer.natural_frequency_hz=5.25", "--set", "hammer.damping_ns_per_m=0.08")])
 def test_each_end_of_a_curve_has_a_reason(tmp_path, springs):
     path, _ = compute(tmp_path, jobs.small_curves(points=128), *springs)
@@ -155,7 +155,7 @@ def test_what_curves_cannot_do_is_refused(tmp_path, change, words):
     assert refused.returncode == 2 and words in refused.stderr
 
 
-# A rigid stop at gap 0 chatters, and without any damping nothing settles: no orbit, but an end.
+# A rigid stop at gap 0 chatters, and without any damping nothing settles: no orbit, but the run ends.
 def test_rigs_that_have_few_orbits_come_to_an_end(tmp_path):
     rigid = jobs.with_rigid_stop(jobs.small_curves(points=12)).replace("to = 5.0", "to = 0.5")
     path, _ = compute(tmp_path, rigid)
@@ -170,7 +170,7 @@ def test_rigs_that_have_few_orbits_come_to_an_end(tmp_path):
 
 
 def test_springs_without_damping_that_are_driven_at_resonance_have_curves(tmp_path):
-    """The free swing grows without limit at Omega = omega, where a column of cells lies; a stop that dissipates limits it."""
+    """The free oscillation is unbounded at Omega = omega, where a column of cells lies; a dissipative stop limits it."""
     window = "".join(jobs.axis(name, low, high, 9) for name, low, high in (("frequency_ratio", 0.8, 1.2), ("gap_ratio", 0.0, 5.0)))
     path, _ = compute(tmp_path, jobs.RIG.format(kind="curves", title="resonance") + window, "--set", "hammer.damping_ns_per_m=0")
     with h5py.File(path) as file:
@@ -179,7 +179,7 @@ def test_springs_without_damping_that_are_driven_at_resonance_have_curves(tmp_pa
 
 
 def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
-    """The same as curves do, of a file that is the same as without, and again when it is complete."""
+    """As for curves, for a file that equals the one without, and again when it is complete."""
     plain = compute(tmp_path, jobs.small_map())[0].rename(tmp_path / "plain.h5")
     path, first = compute(tmp_path, jobs.small_map() + "\n[curves]\ngap_ratio = [0.0, 1.0, 1.5]\n", ranks=2)
     again = launch.run("run", "job.toml", cwd=tmp_path)
@@ -190,7 +190,7 @@ def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
             assert any(abs(float(number) - 4.5 * frequency) < 6e-8 for number in told)
     assert "is complete: nothing is computed" in again.stdout
     one, other = map_contents.datasets(path), map_contents.datasets(plain)
-    # the stored text of the job, and with it the seals, tells what was asked for
+    # the stored text of the job, and hence the seals, reflect the request
     assert one.keys() == other.keys()
     assert {name for name in one if one[name] != other[name]} <= {"summary/bytes", "summary/checksum", "summary/frame"}
     assert "Borders" not in launch.run("run", "job.toml", "--quiet", cwd=tmp_path).stdout
@@ -217,7 +217,7 @@ def test_borders_that_a_map_cannot_tell_are_refused(tmp_path, change, words):
     assert refused.returncode == 2 and words in refused.stderr
 
 
-# From rest hardly anything impacts there; 1/2 lives beside it.
+# From rest hardly any start leads to impacts there; 1/2 coexists.
 HIDDEN = jobs.RIG.format(kind="curves", title="hidden") + jobs.axis("frequency_ratio", 3.0, 4.4, 12) + jobs.axis("gap_ratio", 1.5, 3.0, 12)
 
 

@@ -1,4 +1,4 @@
-"""Whole curves of a rigid stop against the closed form of 1/1, and how curves run into their special points."""
+"""Whole curves of a rigid stop against the closed form of 1/1, and the curves' approach to their special points."""
 
 import h5py
 import numpy as np
@@ -72,13 +72,13 @@ def test_each_point_of_a_fold_obeys_the_closed_form(rigid):
 
 
 def test_each_point_of_a_period_doubling_obeys_the_closed_form(rigid):
-    inside = [point for x, y in curves_of(rigid, DOUBLING) for point in zip(x[1:-1], y[1:-1])]  # the impact has a speed
+    inside = [point for x, y in curves_of(rigid, DOUBLING) for point in zip(x[1:-1], y[1:-1])]  # the impact speed is nonzero
     assert len(inside) > 20
     for eta, gap in inside:
         off_by = []
         for sign in (1, -1):
             here, there = (_trace_off(eta, g, sign) for g in (gap, gap - 1e-7))
-            off_by.append(abs(here * 1e-7 / (there - here)))  # what the gap is from where the formula is 0
+            off_by.append(abs(here * 1e-7 / (there - here)))  # distance of the gap from the root of the formula
         assert min(off_by) < 1e-9
 
 
@@ -95,7 +95,7 @@ def _trace_off(eta, gap, sign):
 
 
 def test_a_fold_leaves_the_grazing_quadratically(rigid):
-    """The impact loses its speed where alpha is 0, and the gap leaves P with its square."""
+    """The impact speed vanishes where alpha is 0, and the gap departs from P quadratically."""
     ends = [(x[::step], y[::step]) for x, y in curves_of(rigid, FOLD) for step in (1, -1)]
     away = [(np.abs(x - x[0]), y - [closed_form(eta)[2] for eta in x]) for x, y in ends]
     away = [(along, above) for along, above in away if abs(above[0]) < 1e-10]
@@ -107,7 +107,7 @@ def test_a_fold_leaves_the_grazing_quadratically(rigid):
 
 
 def test_two_folds_meet_in_a_cusp_as_normal_forms_say(tmp_path):
-    """Their distance falls with the power 3/2 of that from the cusp."""
+    """Their distance scales with the power 3/2 of the distance from the cusp."""
     path = computed(tmp_path, jobs.small_curves(points=32))
     with h5py.File(path) as file:
         number = next(n for n in np.flatnonzero(file["special_kind"][()] == CUSP) if file["special_frequency_ratio"][n] > 1.9)

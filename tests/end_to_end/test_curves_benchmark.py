@@ -1,4 +1,4 @@
-"""tests/benchmark/curves.py: a small run of it tells of each kind and period, and of errors against a closed form."""
+"""tests/benchmark/curves.py: a small run reports each kind and period, and errors against a closed form."""
 
 import os
 import re

@@ -1,5 +1,5 @@
-"""Curves over other axes than frequency and gap pass through the points that the plane of frequency and gap has, labels
-of single cells, solved by CVODE, change there, and file and pictures name the axes."""
+"""Curves over axes other than frequency and gap pass through the points found in the plane of frequency and gap, labels of
+single cells, solved by CVODE, change there, and file and pictures name the axes."""
 
 import subprocess
 import sys
@@ -17,10 +17,10 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLD, DOUBLING = 0, 1
 ONE = "\n[curves]\nmax_period = 1\n"
 GAPS = [0.0, 1.0, 1.5]
-# Limits of 1/1 of the 170 mm rig at these gaps: kind, and the frequency ratio of an independent program.
+# Limits of 1/1 of the 170 mm rig at these gaps: kind, and the frequency ratio from an independent program.
 LIMITS = {0.0: (DOUBLING, 2.659361979), 1.0: (DOUBLING, 2.264326891), 1.5: (FOLD, 1.862464993)}
-# Over other axes: gap ratio, columns and rows, more of the job, in which {} is the frequency ratio of the limit, and the
-# row that the curve has at the first column, which is the printed rig's, times that ratio where the row is a frequency.
+# Over other axes: gap ratio, columns and rows, further job text, in which {} is the limit's frequency ratio, and the curve's
+# row at the first column (the printed rig), times that ratio if the row is a frequency.
 PLANES = {
     "stops": (0.0, axis("contact.stiffness_n_per_m", 5.5e6, 2e7, 20, "log"),
               axis("contact.damping_ns_per_m", 600.0, 2400.0, 21),
@@ -45,7 +45,7 @@ def job_over(name, limits):
 
 @pytest.fixture(scope="module")
 def limits(tmp_path_factory):
-    """{gap ratio: frequency ratio} of LIMITS, to all digits, as the plane of frequency and gap has them."""
+    """{gap ratio: frequency ratio} of LIMITS, to all digits, from the plane of frequency and gap."""
     folder = tmp_path_factory.mktemp("usual")
     text = (jobs.RIG.format(kind="curves", title="usual") + axis("frequency_ratio", 1.5, 3.0, 48) + axis("gap_ratio", 0.0, 2.0, 32)
             + ONE + f"gap_ratio = {GAPS}\n" + "[start]\ndisplacement_ratio = -1.0\nvelocity_ratio = 2.0\n")
@@ -62,7 +62,7 @@ def limits(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def computed(limits, tmp_path_factory):
-    """Folder with the files of PLANES, computed on 2 ranks, and {name: what the run said}."""
+    """Folder with the files of PLANES, computed on 2 ranks, and {name: output of the run}."""
     folder, said = tmp_path_factory.mktemp("curves"), {}
     for name in PLANES:
         jobs.write(folder, job_over(name, limits), f"{name}.toml")
@@ -98,7 +98,7 @@ def test_a_gap_in_mm_is_the_same_ratio_at_any_amplitude(computed):
 
 
 def test_labels_of_single_cells_differ_on_both_sides(computed, limits, tmp_path):
-    """The points of the curve between its ends, each with a map of two cells, one on either side."""
+    """The interior points of the curve, each with a two-cell map, one cell on either side."""
     with xarray.open_dataset(computed[0] / "stops.h5") as data:
         stiffnesses, dampings = max(curves_of(data, DOUBLING), key=lambda curve: len(curve[0]))
     for i in np.linspace(1, len(dampings) - 2, 3).astype(int):
@@ -131,7 +131,7 @@ def test_any_number_of_ranks_gives_the_same_bytes(computed, limits, tmp_path):
 
 
 def test_edges_of_a_cell_are_told_along_such_axes(limits, tmp_path):
-    """Along the stop's damping the motion of a cell ends where the curve is."""
+    """Along the stop's damping the motion of a cell ends at the curve."""
     jobs.write(tmp_path, job_over("stops", limits) + "edge_distance = true\n", "edges.toml")
     assert launch.run("run", "edges.toml", cwd=tmp_path).returncode == 0
     with xarray.open_dataset(tmp_path / "edges.h5") as data:

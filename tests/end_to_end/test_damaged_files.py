@@ -1,5 +1,5 @@
-"""A sample of what tests/endurance/damaged_files.py does by the thousand: whatever bytes of a finished file are damaged, each
-program says so in one line, or shows what it should."""
+"""A sample of tests/endurance/damaged_files.py: whichever bytes of a finished file are damaged, each program reports it in
+one line, or shows the correct contents."""
 
 import random
 
@@ -17,7 +17,7 @@ def readers(request, tmp_path_factory):
 
 
 def heap_of_texts(content):
-    """Where the first collection of HDF5's global heap begins, which has no checksum of its own."""
+    """Offset of the first collection of HDF5's global heap, which has no checksum of its own."""
     return content.index(b"GCOL")
 
 
@@ -26,7 +26,7 @@ def with_byte(content, place, value):
 
 
 def hostile_heaps(content):
-    """Sizes of the collection and of its first object: none, and nearly all there is. HDF5 goes round in circles, or falls."""
+    """Sizes of the collection and of its first object: zero, and nearly everything. HDF5 loops or crashes."""
     heap = heap_of_texts(content)
     yield Damage("a zeroed sector of the heap", content[:heap + 512] + bytes(512) + content[heap + 1024:])
     for place in (heap + 8, heap + 9, heap + 15, heap + 24, heap + 25, heap + 31):  # sizes

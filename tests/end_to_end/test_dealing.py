@@ -1,4 +1,4 @@
-"""The dealing of tiles on its own, with made-up work: nothing lost, nothing twice, and every end is an end of all."""
+"""The dealing of tiles alone, with artificial work: none lost, none dealt twice, and all ranks end together."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Disks that are full, files that vanish: the run says where and why, and loses nothing that can be kept."""
+"""Full disks and vanishing files: the run reports where and why, and loses nothing that can be kept."""
 
 import re
 import resource
@@ -16,7 +16,7 @@ RANKS = [None, 3]
 
 @pytest.fixture
 def small_disk(tmp_path):
-    """Makes a file system of so many KiB in memory."""
+    """Creates a file system of this size [KiB] in memory."""
     folder = tmp_path / "disk"
 
     def mounted(kibibytes):
@@ -32,7 +32,7 @@ def small_disk(tmp_path):
 
 
 def said(finished):
-    """What the program said of the failure: once."""
+    """The program's message about the failure, printed once."""
     told = [line for line in launch.messages(finished) if "cells to compute" not in line]
     assert len(told) == 1, finished.stderr
     return told[0]
@@ -52,11 +52,11 @@ PAGE = 4096
 
 
 def punch_a_hole(path):
-    """Takes back a page of the room that the file has for forces, as a file system that copies on write may."""
+    """Deallocates a page of the file's space for forces, as a copy-on-write file system may."""
     with h5py.File(path) as file:
         forces = file["peak_force_ratio"].id
         middle = forces.get_chunk_info(0).byte_offset + forces.get_storage_size() // 2
-    hole = -(-middle // PAGE) * PAGE  # whole pages alone are taken back
+    hole = -(-middle // PAGE) * PAGE  # only whole pages can be deallocated
     subprocess.run(["fallocate", "--punch-hole", "-o", str(hole), "-l", str(PAGE), path], check=True)
 
 
@@ -93,10 +93,10 @@ def test_a_file_that_vanishes(tmp_path, ranks):
 
 
 def test_a_limit_of_file_sizes(tmp_path):
-    """As batch systems set it; a signal would end the program without a word."""
+    """As set by batch systems; a signal would end the program without a message."""
     jobs.write(tmp_path, jobs.larger_map())
     process = launch.start("run", "job.toml", cwd=tmp_path)
-    process.stderr.readline()  # "... cells to compute"; MPI's own files are there
+    process.stderr.readline()  # MPI's own files exist by now
     resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (300_000, 300_000))
     output, errors = process.communicate(timeout=launch.HANGING)
     assert process.returncode == 3, errors
@@ -114,4 +114,4 @@ def test_a_limit_that_a_file_written_at_once_exceeds(tmp_path, kind):
     assert finished.returncode == 3, finished.stderr
     assert "job.h5.peterka-creating: write failed: File too large" in finished.stderr
     left = {path.name for path in tmp_path.iterdir()}
-    assert left <= {"job.toml", "job.h5.peterka-lock"}  # a lock that is left behind stops nobody
+    assert left <= {"job.toml", "job.h5.peterka-lock"}  # a remaining lock file blocks nobody

@@ -1,4 +1,4 @@
-"""Disks that fail at one call, in a small run of each kind: a slice of what tests/endurance/disk_faults.py tries."""
+"""Disks that fail at one call, in a small run of each kind: a sample of tests/endurance/disk_faults.py."""
 
 import pytest
 
@@ -11,7 +11,7 @@ def kind(request, tmp_path_factory):
 
 
 def spread(count, most):
-    """So many numbers from 1 to count at most, the first and the last among them."""
+    """At most `most` numbers from 1 to count, including the first and the last."""
     if count <= most:
         return range(1, count + 1)
     if most == 1:
@@ -30,14 +30,14 @@ def test_a_call_that_fails_leaves_the_right_file_or_says_so(kind, call, how, mos
 
 
 def test_every_kind_of_call_is_met(kind):
-    """A library that isn't loaded would fail nothing."""
+    """A library that is not loaded would make nothing fail."""
     whole = kind.name in ("curves", "curves with distances", "trace", "study")
     least = {"write": 2, "read": 1, "fsync": 1, "rename": 1} if whole else {"write": 50, "read": 200, "fsync": 2, "allocate": 1}
     assert {call: number for call, number in least.items() if kind.calls[call] < number} == {}
 
 
 def test_a_read_that_fails_while_attractors_are_numbered(tmp_path):
-    """Open MPI calls it a success; cells of zeros would then be attractors of their own, in a file marked as finished."""
+    """Open MPI reports success; cells of zeros would then be separate attractors, in a file marked as finished."""
     basin = disk_faults.Kind("basin", tmp_path)
     reads = basin.calls["read"]
     tried = [basin.fails("read", reads * part // 16, "EIO") for part in range(9, 15)]
@@ -52,8 +52,8 @@ def test_one_of_two_ranks_meets_it(tmp_path):
 
 
 def test_the_last_write_of_two_ranks_fails(tmp_path):
-    """HDF5's ranks would wait for each other in different places if it were HDF5's, while it closes the file."""
+    """If the call were HDF5's during closing, HDF5's ranks would wait for each other in different places."""
     kind = disk_faults.Kind("map with starts", tmp_path)
-    kind.begin_with_what_is_left_after("fsync", kind.calls["fsync"] - 3, "EIO")  # all tiles: who has them is chance
+    kind.begin_with_what_is_left_after("fsync", kind.calls["fsync"] - 3, "EIO")  # all tiles, because their distribution is random
     at_root = {"ranks": 2, "rank": 0}
     assert kind.fails("write", kind.count("write", **at_root), "EIO", **at_root) == ""

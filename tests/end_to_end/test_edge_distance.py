@@ -1,5 +1,5 @@
-"""How far a cell is from the edge of its own motion: the motion, dragged along in many small steps by the search of a
-sweep, keeps its label up to a hair before the edge and loses it a hair behind."""
+"""Distance of a cell from the boundary of its own motion: continued in many small steps by the search of a sweep, the motion
+keeps its label until just before the edge and loses it just after."""
 
 import itertools
 import re
@@ -48,7 +48,7 @@ def orbits(tmp_path_factory):
 
 
 def sweep_to(side, place, change, state):
-    """A sweep that drags a motion from a place across its edge."""
+    """A sweep that continues a motion from a point across its edge."""
     other = "gap_ratio" if side == "frequency_ratio" else "frequency_ratio"
     low, high = sorted([place[side], place[side] + change * (1 + HAIR)])
     direction = "up" if change > 0 else "down"
@@ -66,7 +66,7 @@ def labels_along(path, change):
 
 
 def taking_turns(groups):
-    """One of each group after the other, until all are empty."""
+    """One of each group in turn, until all are empty."""
     queues = [list(group) for group in groups]
     while queues:
         for queue in queues:
@@ -75,7 +75,7 @@ def taking_turns(groups):
 
 
 def dragged_cells(path, orbits, side, count, seed=5):
-    """So many cells from all regimes with an edge, taken at random."""
+    """Random cells of this number from all regimes with an edge."""
     with h5py.File(path) as file:
         axes = {name: file[name][()] for name in ("frequency_ratio", "gap_ratio")}
         known = np.argwhere((file["regime"][()] == 1) & (file[f"edge_kind_{side}"][()] < NONE)
@@ -96,12 +96,12 @@ def test_a_motion_keeps_its_label_up_to_its_edge_and_no_further(tmp_path, distan
     for place, change, label, state in dragged_cells(distances, orbits, side, 32):
         labels.add(label)
         along = labels_along(run(tmp_path, sweep_to(side, place, change, state), "--quiet", "--fresh"), change)
-        # a hair from a doubling no cell settles within its cycles
+        # just before a period doubling no cell settles within its cycles
         settled = [met for met in along[:-2] if met[0] != UNRESOLVED]
         assert settled == [label] * len(settled) and len(settled) > STEPS - 12, (place, change)
         up_to_the_last.append(along[-2] == label)
         assert along[-1] != label, (place, change)
-    # a hair before the edge hardly anything is left of the motion's basin, and a step may fall out of it
+    # just before the edge the motion's basin is tiny, and a step may leave it
     assert len(labels) >= 12 and sum(up_to_the_last) >= 28
 
 
@@ -151,20 +151,20 @@ def test_the_summary_tells_how_many_are_known(tmp_path):
 
 
 def test_a_doubled_motion_ends_where_it_merges_back(tmp_path):
-    """2/2 of the paper's rig without a gap, which doubles from 1/1 at 2.659361979: it ends there, below its other end."""
+    """2/2 of the paper's rig without a gap, born from 1/1 at 2.659361979: it ends there, at its lower end."""
     window = jobs.axis("frequency_ratio", 2.60, 2.80, 24) + jobs.axis("gap_ratio", 0.0, 0.4, 3)
     path = run(tmp_path, jobs.RIG.format(kind="curves", title="doubled") + window + "[curves]\nedge_distance = true\n")
     with h5py.File(path) as file:
         frequency, doubled = file["frequency_ratio"][()], file["period"][0] == 2
         distance, kind = file["edge_distance_frequency_ratio"][0], file["edge_kind_frequency_ratio"][0]
     assert doubled.sum() > 12 and (kind[doubled] == DOUBLING).all()
-    near = doubled & (frequency < 2.74)  # its other doubling is at 2.83
+    near = doubled & (frequency < 2.74)  # its other period doubling is at 2.83
     assert np.allclose(frequency[near] + distance[near], 2.659361979, atol=1e-8)
 
 
 @pytest.mark.parametrize("seed", [11, 12])
 def test_random_motions_end_where_dragging_them_ends(tmp_path, seed):
-    """Cells of a random rig, along both axes; tests/endurance.sh edges tries 500 of five rigs."""
+    """Cells of a random rig, along both axes; tests/endurance.sh edges tests 500 of five rigs."""
     rig, = edges_of_motions.random_rigs(seed, 1)
     cells = edges_of_motions.cells_of(tmp_path, rig)
     found = {(cell, side): edges_of_motions.disagreement(tmp_path, rig, cells, cell, side)
@@ -174,13 +174,13 @@ def test_random_motions_end_where_dragging_them_ends(tmp_path, seed):
 
 
 def test_a_border_is_one_of_its_label(tmp_path):
-    """At each border that the summary tells, motions of that label, found from many starts, are fewer on one side. The end of
-    the motion without impact at a gap of 1 mm, 13.57 Hz, is none of 1/1."""
+    """At each border listed in the summary, motions of that label, found from many starts, are fewer on one side. The end of
+    the motion without impact at a gap of 1 mm, 13.57 Hz, is not a border of 1/1."""
     rig = {"zeta": 0.06 / (2 * 0.298 * 2 * np.pi * 4.5), "stop": edges_of_motions.kept_claims.spring(5.5e6, 1.2e3), "eta": 0.6,
            "gap": 0.0}
     gap = 1.1235955056179776
     told = list(edges_of_motions.borders_told(tmp_path, rig, gap))
     assert (0, 1) in {(impacts, period) for impacts, period, *_ in told} and len(told) > 8
     assert not [frequency for impacts, period, frequency, _ in told if (impacts, period) == (1, 1) and abs(4.5 * frequency - 13.5678172) < 1e-3]
-    # where the motion without impact ends nothing is left of its basin: that is in closed form
+    # where the motion without impact ends, its basin vanishes: known in closed form
     assert [place for place in told if place[0] > 0 and not edges_of_motions.is_border(tmp_path, rig, gap, *place)] == []

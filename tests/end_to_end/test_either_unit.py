@@ -1,4 +1,4 @@
-"""Two units, one coordinate, where a job is at fault or has no twin; what is computed over either unit: test_axes_and_units.py."""
+"""Two units, one coordinate, for faulty jobs and those without a counterpart; computed results: test_axes_and_units.py."""
 
 import h5py
 import pytest

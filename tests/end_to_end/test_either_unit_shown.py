@@ -1,5 +1,5 @@
-"""What test_axes_and_units.py has no row for: parts of a plane, borders over sweeps, places verified and measured points, over axes
-in Hz, m and m/s as over ratios."""
+"""Cases without a row in test_axes_and_units.py: parts of a plane, borders over sweeps, verified places and measured points,
+over axes in Hz, m and m/s as over ratios."""
 
 import re
 import subprocess
@@ -25,7 +25,7 @@ REGULAR = {
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory):
-    """The file of a job in a unit, of one name in both, computed when it is first asked for."""
+    """The file of a job in a unit, with the same name in both, computed on first use."""
     folders = {unit: tmp_path_factory.mktemp("ratios" if unit is RATIOS else "si") for unit in (RATIOS, SI)}
 
     def file(name, unit):
@@ -47,7 +47,7 @@ def program(name, folder, *arguments):
 
 
 def both(files, name, folder, program_name, *arguments):
-    """What a program says of the file in ratios and of that in SI units, in folders of their own, paths left out."""
+    """A program's output for the file in ratios and for that in SI units, in separate folders, without paths."""
     told = []
     for unit in (RATIOS, SI):
         here = folder / ("ratios" if unit is RATIOS else "si")
@@ -58,7 +58,7 @@ def both(files, name, folder, program_name, *arguments):
 
 
 def test_a_part_is_named_in_ratios_or_in_si_units(files, tmp_path):
-    """Of the same place, whatever the file's own axes."""
+    """For the same place, whatever the file's own axes."""
     shown = []
     for unit in (RATIOS, SI):
         for place, units in (("1.7,1.9,0.4,0.7", "both"), ("7.65,8.55,0.356,0.623", "si")):
@@ -72,8 +72,8 @@ def test_a_part_is_named_in_ratios_or_in_si_units(files, tmp_path):
 @pytest.mark.parametrize("zoom, in_si", [((1.7, 1.9, 0.45, 0.675), False), ((7.65, 8.55, 0.4005, 0.60075), True)])
 @pytest.mark.parametrize("unit", [RATIOS, SI], ids=["ratios", "si"])
 def test_a_part_has_the_cells_at_its_ends(files, monkeypatch, unit, zoom, in_si):
-    """Which differ from the numbers that somebody writes in the last bit, in one unit or the other. Cells over an end are cut there,
-    and have the ends on the axes."""
+    """The limits differ from user-given numbers in the last bit, in one unit
+    or the other. Boundary cells are cut there, and the axes end at the limits."""
     monkeypatch.setattr(sys, "path", [str(POSTPROCESS), *sys.path])
     from peterka.pictures import open_file
     from peterka.cli.picture_options import zoomed

@@ -1,8 +1,8 @@
-"""What `check` accepts never ends in an internal error: both ends of every key's range, and every choice, with every kind of
-job, stop and engine.
+"""Nothing that `check` accepts ends in an internal error: both ends of every
+key's range, and every choice, with every kind of job, stop and engine.
 
-Keys, ranges and choices are the program's own: `check` prints the keys, and names the ranges where values lie outside.
-A new key is tried, too.
+Keys, ranges and choices are the program's own: `check` prints the keys, and
+names the ranges for values outside. New keys are therefore tested, too.
 """
 
 import re
@@ -15,12 +15,12 @@ import pytest
 import jobs
 import launch
 
-CODES = (0, 2, 3, 4, 5)  # all that a user may meet: anything but an internal error, a signal, or mpirun's own
+CODES = (0, 2, 3, 4, 5)  # all codes that a user may see: no internal error, signal, or mpirun's own
 OUTSIDE = {bool: "1", int: "-9000000000000000000", float: "1e308", str: '"?"'}
 RANGE = re.compile(r"--set (\d+): .*; give a value (?:from (\S+) to (\S+)|of (\S+) or more)$", re.MULTILINE)
 CHOICE = re.compile(r"--set (\d+): .*this version has (.*?); ", re.MULTILINE)
 MOST = 2**63 - 1
-FIXED = ("schema", "kind", "title", "contact.law", "study.topic", "trace.map")  # texts, and those that decide on other keys
+FIXED = ("schema", "kind", "title", "contact.law", "study.topic", "trace.map")  # texts, and keys on which other keys depend
 AT_ONCE = 4  # most of a start is waiting
 
 HUNT_CROSSLEY = 'law = "hunt_crossley"\nstiffness_n_per_m_pow_n = 5.5e8\ndissipation_s_per_m = 0.3\n'
@@ -103,7 +103,7 @@ def test_no_value_that_is_accepted_ends_in_an_internal_error(tmp_path, name):
 
     def run(setting):
         output = tmp_path / f"{next(numbers)}.h5"
-        for _ in range(3):  # of some thousand starts side by side, MPI itself fails in one now and then
+        for _ in range(3):  # among some thousand concurrent starts, MPI itself occasionally fails
             finished = launch.run("run", "job.toml", "--quiet", "--max-wall", "0.3", "--output", output, "--set", setting,
                                   cwd=tmp_path)
             if finished.returncode != 1 or "before MPI_INIT completed" not in finished.stderr:

@@ -1,4 +1,4 @@
-"""Cells that no engine can follow fail alone: they say why, the others are what they would be without them."""
+"""Cells that no engine can follow fail individually: they state the reason, the others are unaffected."""
 
 import h5py
 import numpy
@@ -14,14 +14,14 @@ REASONS = {TOO_MANY_EVENTS: "too many contacts in one cycle", SOLVER_FAILED: "th
 @pytest.mark.parametrize("engine, cubic, status", [
     ("exact", 0, TOO_MANY_EVENTS),  # in a batch
     ("split", 238, TOO_MANY_EVENTS),
-    ("cvode", 238, SOLVER_FAILED),  # by steps that shrink to nothing
+    ("cvode", 238, SOLVER_FAILED),  # step sizes shrink to zero
     ("arkode", 238, SOLVER_FAILED),
 ])
 def test_each_engine(tmp_path, engine, cubic, status):
     jobs.write(tmp_path, jobs.small_map(columns=2, rows=2))
     settings = [word for setting in (f"solver.engine={engine}", f"hammer.cubic_stiffness_n_per_m3={cubic}",
                                      "solver.tolerance=1e-6") for word in ("--set", setting)]
-    sticky = ["--set", "contact.damping_ns_per_m=1e30"]  # no contact with such a stop ends
+    sticky = ["--set", "contact.damping_ns_per_m=1e30"]  # contact with such a stop never ends
     finished = launch.run("run", "job.toml", *settings, *sticky, "--output", "sticky.h5", cwd=tmp_path)
     assert finished.returncode == 4, finished.stderr
     assert REASONS[status] in finished.stdout
@@ -33,7 +33,7 @@ def test_each_engine(tmp_path, engine, cubic, status):
         assert (sticky["status"][:][failed] == status).all()
         assert numpy.isnan(sticky["peak_force_ratio"][:][failed]).all()
         assert numpy.isnan(sticky["impact_rate"][:][failed]).all()
-        untouched = sound["impact_rate"][:] == 0  # the stop plays no part there
+        untouched = sound["impact_rate"][:] == 0  # cells without any contact
         assert untouched.any() and not (untouched & failed).any()
         for name in ["regime", "status", "engine", "period", "peak_force_ratio"]:
             assert (sticky[name][:][untouched] == sound[name][:][untouched]).all()

@@ -1,4 +1,4 @@
-"""The program is loaded with nothing from the folder in which it is started, and libc and the linker watch over it."""
+"""The program loads nothing from its working directory, and libc and linker hardening are enabled."""
 
 import re
 import subprocess

@@ -1,5 +1,5 @@
-"""identify.py gives back the rig of recordings that the program itself made, with noise, offset and the sample rate of a
-laboratory, within its standard errors; and its rig file is one that jobs take."""
+"""identify.py recovers the rig from recordings made by the program itself, with noise, offset and sample rate of a
+laboratory, within its standard errors; and jobs accept its rig file."""
 
 import os
 import re
@@ -24,7 +24,7 @@ MANY_ERRORS = 4  # standard errors
 
 
 def compute(folder, frequency_ratio, gap_ratio, settings, oversampled=1):
-    """A trace, of which every so-manyth sample is at the rate."""
+    """A trace whose samples, decimated by `oversampled`, have the logger's rate."""
     per_cycle = round(oversampled * RATE / (4.5 * (frequency_ratio or 1)))
     text = jobs.trace(frequency_ratio, gap_ratio, settings).replace("samples_per_cycle = 200", f"samples_per_cycle = {per_cycle}")
     jobs.write(folder, text.replace("spectrum_to_hz = 1000", "spectrum_to_hz = 20"))
@@ -35,14 +35,14 @@ def compute(folder, frequency_ratio, gap_ratio, settings, oversampled=1):
 
 @pytest.fixture(scope="module")
 def release(tmp_path_factory):
-    """Let go 5 mm away from a stop at 3 mm, for two seconds: two impacts, then a swing that dies down."""
+    """Released 5 mm from a stop at 3 mm, for two seconds: two impacts, then a decaying oscillation."""
     folder = tmp_path_factory.mktemp("release")
     return compute(folder, 0.0, 3.370786516853933, 'from = "start"\nduration_s = 2.0\n[start]\ndisplacement_ratio = -5.618')
 
 
 def record(trace, path, names, noise=0.01, separator=",", flipped=False, offset=0.05):
-    """Writes a CSV file as a logger would: from another zero of time, at the rate, each signal with an offset and noise, both
-    over its largest value."""
+    """Writes a CSV file like a data logger: with shifted time, at the rate, each signal with an offset and noise, both
+    relative to its largest value."""
     with h5py.File(trace) as file:
         time = file["time"][:]
         places = np.searchsorted(time, np.arange(int(time[-1] * RATE)) / RATE)
@@ -67,7 +67,7 @@ def identify(folder, *arguments):
 
 
 def numbers(printed):
-    """{name: (value, standard error)} of what was found."""
+    """{name: (value, standard error)} of the results."""
     return {name.strip(): (float(value), float(error)) for name, value, error in re.findall(
         r"(?m)^  (\S.{19}) ([-+.\de]+) ± ([-+.\de]+)", printed)}
 

@@ -1,5 +1,5 @@
-"""What a cell claims, it keeps: over random rigs, each claim against runs that know better (kept_claims.py). More rigs are
-tried by tests/endurance/kept_claims.py."""
+"""A cell's claims hold: over random rigs, each claim against more expensive runs (kept_claims.py). More rigs are tested by
+tests/endurance/kept_claims.py."""
 
 import h5py
 import numpy as np
@@ -15,7 +15,7 @@ def name_of(rig):
 
 EDGES = [{**PAPER, "eta": 4.2, "gap": 0.8, "wide": 0.3, "high": 0.4, "points": 40},  # the 1.1 % of z = 1/3
          {**PAPER, "eta": 0.7, "gap": 0.4, "wide": 0.6, "high": 2.0, "points": 40}]
-# The edge between two basins: 3/4 without the cubic and 1/2 with it, at a growth of e^5.8.
+# The boundary between two basins: 3/4 without the cubic and 1/2 with it, at a growth of e^5.8.
 TURNED = {"zeta": 0.023817553484208366, "ki": 6610334.049366145, "ci": 616.8654715608207, "cubic": 238.23,
           "eta": 3.439564262566399, "gap": -0.2177550723715049, "wide": 0.0137931034482758, "high": 0.017241379310344827,
           "points": 2}
@@ -59,7 +59,7 @@ def test_where_the_last_bit_of_an_input_decides_the_sensitivity_says_so(tmp_path
 
 
 def test_wherever_rounding_may_decide_the_status_says_so(tmp_path):
-    """Before `imprecise`, and of every settled motion; status 0 says that it doesn't."""
+    """Before `imprecise`, and for every settled motion; status 0 denies it."""
     cells = [solve(tmp_path, rig) for rig in LOW_LOSS]
     settled = np.concatenate([np.isin(rig["regime"], [0, 1, 3]).ravel() for rig in cells])
     decided = np.concatenate([(rig["sensitivity"] > ROUNDING_DECIDES).ravel() for rig in cells])
@@ -69,7 +69,7 @@ def test_wherever_rounding_may_decide_the_status_says_so(tmp_path):
 
 
 def test_rounding_after_a_contact_that_ends_all_memory_counts(tmp_path):
-    """z = 53/54 of an independent program; one ulp more of ki, and it is not resolved."""
+    """z = 53/54 from an independent program; with one ulp more of ki it is unresolved."""
     rig = {"zeta": 0.051933662594236214, "ki": 120093108.83858773, "ci": 2811.674445459204, "eta": 2.539398742122332,
            "gap": 0.9676607637059222, "x": -2.2956372812473993, "v": -2.6632602148755575, "points": 2}
     assert solve(tmp_path, rig)["sensitivity"][0, 0] > ROUNDING_DECIDES

@@ -1,4 +1,4 @@
-"""What operating_point.py tells of its places, against starts and places at random in their boxes."""
+"""The places reported by operating_point.py, against random starts and points in their boxes."""
 
 import random
 
@@ -21,5 +21,5 @@ def test_nothing_that_is_proved_breaks_and_of_what_is_sampled_no_more_than_is_to
         assert 1 - ends[place[2]] / ends.total() <= 1 - 0.05 ** (1 / 8), (place, ends)
     for place in chance.sample(share, 2):
         ends = kept_places.ends_of(tmp_path, RIG, place, DRIFT, chance, tries=4)
-        # somewhere between the binomial bound of its starts and all of them
+        # between the binomial bound of its starts and all of them
         assert ends[place[2]] / ends.total() > place[3] - 4 * (0.25 / 16) ** 0.5, (place, ends)

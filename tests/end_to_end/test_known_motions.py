@@ -1,5 +1,5 @@
-"""What a map with [starts] knows to exist in its cells though none of their starts found it: against the closed form, an
-integrator, and itself."""
+"""Motions that a map with [starts] knows in its cells although none of their starts found them: against the closed form, an
+integrator, and the map itself."""
 
 import math
 import shutil
@@ -14,7 +14,7 @@ import many_starts
 import map_contents
 
 EMPTY, NO_IMPACT, PERIODIC, CHAOTIC = -128, 0, 1, 2
-FEW = 5  # starts: much is missed
+FEW = 5  # starts: many motions are missed
 ZETA = 0.06 / (2 * 0.298 * 2 * math.pi * 4.5)
 
 
@@ -62,7 +62,7 @@ def test_a_motion_without_impact_is_known_wherever_the_closed_form_has_one(known
 
 
 def test_the_orbits_of_neighbours_exist(tmp_path, known_file):
-    """An integrator that begins on them stays."""
+    """An integrator started on them stays there."""
     cells = read(known_file)
     slots = np.argwhere(without_share(cells) & (cells["attractor_regime"] == PERIODIC))
     assert len(slots) > 8
@@ -83,7 +83,7 @@ def test_the_orbits_of_neighbours_exist(tmp_path, known_file):
 
 
 def test_many_starts_find_what_few_only_know(tmp_path, known_file):
-    """An orbit that is known in a cell is found there by some of 400 starts, or has a share of a few of them at most."""
+    """An orbit known in a cell is found there by some of 400 starts, or its share is at most a few of them."""
     few = read(known_file)
     many = many_starts.compute(tmp_path, text().replace(f"count = {FEW}", "count = 400").replace("points = 40", "points = 4"),
                                name="many", ranks=2)
@@ -101,7 +101,7 @@ def test_many_starts_find_what_few_only_know(tmp_path, known_file):
 
 
 def test_shares_and_cells_are_as_if_nothing_else_were_known(tmp_path, known_file):
-    """A row alone has other neighbours, and the same of its own."""
+    """A single row has other neighbours, and its own results are unchanged."""
     cells, row = read(known_file), 11
     gap = cells["gap_ratio"][row]
     alone = many_starts.compute(tmp_path, text(rows=1).replace("from = 1.0", f"from = {float(gap)!r}"), name="row")
@@ -119,8 +119,8 @@ def test_shares_and_cells_are_as_if_nothing_else_were_known(tmp_path, known_file
 
 @pytest.mark.parametrize("attractors", [1, 2, 8])
 def test_a_run_that_was_stopped_in_between_ends_the_same(tmp_path, attractors):
-    """Some tiles have what is known already, in others only starts were solved, and others are missing."""
-    jobs.write(tmp_path, text(attractors, count=30))  # enough that orbits give way which neighbours follow
+    """Some tiles have the known motions already, in others only starts were solved, and others are missing."""
+    jobs.write(tmp_path, text(attractors, count=30))  # enough that orbits continued by neighbours are displaced
     path = tmp_path / "job.h5"
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
     whole = shutil.copy(path, tmp_path / "whole.h5")
@@ -152,7 +152,7 @@ def test_few_slots_keep_the_largest_share_and_what_is_known(tmp_path, known_file
     assert crowded.sum() > 15
     assert np.array_equal(few["basin_share"][0], all_slots["basin_share"][0])
     own = few["start_attractor"]
-    # where [start] isn't on the smaller share that would give way
+    # where [start] is not on the smaller share that would be displaced
     gives_way = crowded & (all_slots["start_attractor"] != 1)
     assert np.all(without_share(few)[1][gives_way])
     for name in ("regime", "impacts", "period"):

@@ -1,5 +1,5 @@
-"""Whether the coarse map's labels show a curve, or why not: told of each point, compared with the labels themselves and,
-where [start] hides a motion, with what other starts of a map end on."""
+"""Whether the coarse map's labels show a curve, or why not: stated for each point, compared with the labels themselves and,
+where [start] hides a motion, with the results of a map's other starts."""
 
 import re
 
@@ -13,7 +13,7 @@ import launch
 FOLD, DOUBLING, GRAZING = range(3)
 EDGE, SAME_LABEL, OTHER_START, NARROW, UNKNOWN = range(5)
 CELLS = 32
-# From rest hardly anything impacts there; 1/2 lives beside it.
+# From rest hardly any start leads to impacts there; 1/2 coexists.
 HIDDEN = jobs.axis("frequency_ratio", 3.0, 4.4, 12) + jobs.axis("gap_ratio", 1.5, 3.0, 12)
 
 
@@ -37,7 +37,7 @@ def of_points(data, name):
 
 
 def neighbours(data):
-    """(middle of two neighbours in cells, their labels) wherever these differ."""
+    """(midpoint of two neighbours in cells, their labels) wherever these differ."""
     labels = np.stack([data["regime"], data["impacts"], data["period"]], axis=-1)
     columns, rows = np.meshgrid(np.arange(labels.shape[1]), np.arange(labels.shape[0]))
     for one, other in (((slice(None), slice(None, -1)), (slice(None), slice(1, None))),
@@ -48,7 +48,7 @@ def neighbours(data):
 
 
 def may_end_there(label, kind, p, q):
-    """Whether a cell's motion may be one that the curve is about; p of a grazing is one or one more than its orbit's."""
+    """Whether a cell's motion may be one that the curve bounds; p of a grazing equals that of its orbit or one more."""
     regime, impacts, period = (int(number) for number in label)
     if regime == 0:
         return kind == GRAZING and p <= 1
@@ -68,7 +68,7 @@ def test_edges_are_where_labels_change_and_nowhere_else(curves):
     expected = np.array([any(may_end_there(label, kind, p, q) for i in np.flatnonzero(np.hypot(*(middles - place).T) <= 1)
                              for label in changes[i][1:]) for place, kind, p, q in zip(where, kinds, ps, qs)])
     told = data["point_edge"] == EDGE
-    sure = kinds != GRAZING  # of which the file doesn't tell whether p is that with the impact
+    sure = kinds != GRAZING  # for which the file does not tell whether p includes the new impact
     assert sure.sum() > 500 and (told == expected)[sure].all()
     assert (expected | ~told).all() and told[~sure].sum() > 500
     assert (told == expected).mean() > 0.97

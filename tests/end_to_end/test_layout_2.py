@@ -1,4 +1,4 @@
-"""tests/data/layout_2.h5, a map with [starts] that a program wrote before layout 3, is shown and traced; no run goes on with it."""
+"""tests/data/layout_2.h5, a map with [starts] written before layout 3, is shown and traced; no run resumes it."""
 
 import importlib
 import shutil
@@ -52,14 +52,14 @@ def test_a_run_leaves_it_alone_and_says_why(old):
 
 
 def with_a_heap_that_crashes_hdf5(path):
-    """The size of the first text in the global heap, which has no checksum, and in a file of this layout none of ours."""
+    """The size of the first text in the global heap, which has no checksum, nor has a file of this layout one of ours."""
     content = bytearray(path.read_bytes())
     content[content.index(b"GCOL") + 25] ^= 0xFF
     path.write_bytes(content)
 
 
 def test_hdf5_breaks_down_over_a_damaged_one_in_a_process_of_its_own(old):
-    """HDF5 1.10 does. 1.14 goes on, with texts that are none: then kind, seal or version is what isn't right."""
+    """HDF5 1.10 does. 1.14 continues with invalid texts: then kind, seal or version is refused."""
     breaks_down = h5py.version.hdf5_version_tuple < (1, 14)
     with_a_heap_that_crashes_hdf5(old)
     reason = "HDF5 breaks down over it" if breaks_down else "is of kind None"
@@ -73,7 +73,7 @@ def test_hdf5_breaks_down_over_a_damaged_one_in_a_process_of_its_own(old):
 
 
 def test_one_that_another_program_has_written_anew_is_read(old, small_map_file):
-    """Its record of bytes isn't its end any more; the seal says that nothing was lost."""
+    """Its byte record is no longer at its end; the seal shows that nothing was lost."""
     copy = old.with_name("copy.h5")
     shutil.copy(small_map_file, copy)
     with h5py.File(copy, "r+") as file:

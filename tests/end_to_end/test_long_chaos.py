@@ -1,4 +1,4 @@
-"""Rigs that lose very little: with the max_cycles that the summary names no cell is left as chaotic so far."""
+"""Rigs with very little dissipation: with the max_cycles that the summary suggests no cell remains chaotic so far."""
 
 import re
 

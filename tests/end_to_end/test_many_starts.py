@@ -1,4 +1,4 @@
-"""Maps with [starts]: what they hold, and that it is the same however it was computed."""
+"""Maps with [starts]: their contents, and independence of how they were computed."""
 
 import math
 import random
@@ -47,7 +47,7 @@ def test_it_is_the_same_after_kills(tmp_path, starts_file):
 
 
 def test_a_damaged_share_is_noticed(tmp_path, starts_file):
-    """What the slots hold is under the tile's checksum, too."""
+    """The contents of the slots are covered by the tile's checksum, too."""
     jobs.write(tmp_path, many_starts.small_map())
     path = tmp_path / "job.h5"
     path.write_bytes(starts_file.read_bytes())
@@ -63,7 +63,7 @@ def test_shares_and_slots_are_sound(starts_file):
         share, regime = cells.basin_share.values, cells.attractor_regime.values
         assert cells.basin_share.dims == ("attractor", "gap_ratio", "frequency_ratio")
         assert share.shape[0] == 8
-        assert cells.attractors.values.max() <= 8  # nothing is left over
+        assert cells.attractors.values.max() <= 8  # no attractor without a slot
         np.testing.assert_allclose(share.sum(axis=0), 1, rtol=0, atol=1e-12)
         assert np.array_equal((share > 0).sum(axis=0), cells.attractors.values)
         assert np.all(np.diff(share, axis=0) <= 0)
@@ -71,7 +71,7 @@ def test_shares_and_slots_are_sound(starts_file):
         assert np.all(used[share > 0]) and np.all(np.diff(used.astype(int), axis=0) <= 0)
         assert (cells.attractors.values > 1).mean() > 0.3  # 41 % with 32 starts in this window
         mine = cells.start_attractor.values
-        # whatever [start] ends on is one of them
+        # the end state of [start] is one of them
         motion = np.isin(cells.regime.values, (0, 1, 2, 3))
         assert mine.min() >= -1 and np.all(mine[motion] >= 0)
         slot = np.maximum(mine, 0)[None]
@@ -108,12 +108,12 @@ def test_a_refined_map_agrees_with_a_full_one(tmp_path):
     np.testing.assert_allclose(refined["basin_share"].sum(axis=0), 1, rtol=0, atol=1e-9)
     filled = ~computed
     assert np.mean(refined["attractors"][filled] == full["attractors"][filled]) > 0.98
-    # a share has steps of 1/16, so one cell may be off by some of them
+    # a share has steps of 1/16, so a single cell may differ by several
     assert np.abs(refined["basin_share"] - full["basin_share"])[:, filled].mean() < 0.5 / 16
 
 
 def test_a_shipped_basin_is_one_cell(tmp_path):
-    """basin_150mm_coexisting, its cubic springs left out or kept as in any job, and the same place and rectangle in a map."""
+    """basin_150mm_coexisting, with cubic springs omitted or kept as in any job, and the same point and rectangle in a map."""
     count, points = 8192, 64  # an attractor takes 1.2 % of the starts
     source = tomllib.loads((JOBS / "basin_150mm_coexisting.toml").read_text(encoding="utf-8"))
     rectangle = {name: tuple(source["axes"][f"{name}_ratio"][end] for end in ("from", "to"))
@@ -132,7 +132,7 @@ def test_a_shipped_basin_is_one_cell(tmp_path):
 
 
 def assert_same_shares(cell, grid, count):
-    """Of a map's first cell and of all cells of a basin, within the binomial error; how many attractors were compared."""
+    """Compares a map's first cell with all cells of a basin, within the binomial error; returns the number of attractors compared."""
     found, slots = 0, int(cell["attractors"][0, 0])
     for slot in range(slots):
         label = [int(cell[f"attractor_{name}"][slot, 0, 0]) for name in ("regime", "impacts", "period")]
@@ -154,7 +154,7 @@ def test_starts_are_judged_by_the_gaps_of_the_cells(tmp_path):
 
 
 def test_a_basin_is_one_cell(tmp_path):
-    """The same rectangle seen as a grid and as one cell of a map: within the binomial error."""
+    """The same rectangle as a grid and as one cell of a map: within the binomial error."""
     count, points, gap = 1024, 48, 1.6
     rectangle = {"displacement": (-3.0, gap), "velocity": (-4.0, 4.0)}
     cell = many_starts.compute(
@@ -181,7 +181,7 @@ def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
 
 
 def test_a_start_costs_few_cycles(tmp_path):
-    """Those that know the orbits of their cell, and what its chaos does where impacts go on for ever, take 77 here."""
+    """Starts that use the cell's known orbits, and the fate of its chaos where impacts never end, take 77 here."""
     points, count = 24, 64
     finished = launch.run("run", JOBS / "attractors_170mm.toml", "--quiet", "--output", "map.h5", "--set",
                           f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}", cwd=tmp_path)
@@ -196,13 +196,13 @@ def test_check_prices_starts(tmp_path):
     assert "in all: some" not in plain.stdout
     assert "5,000 in each cell, 7e+06 in all: some 1 min" in many.stdout
     few = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=2", cwd=tmp_path)
-    # 80 cells of 1728 cycles, 0.33 us each, in the mean
+    # 80 cells of 1728 cycles on average, 0.33 us each
     assert "24 in each cell, 1.92e+03 in all: from 2.3 ms to 456.2 ms of one core" in few.stdout, few.stdout
     assert launch.told_megabytes(many) > launch.told_megabytes(plain) + 100
 
 
 def test_check_prices_starts_by_what_carries_them(tmp_path):
-    """1.05 million starts on the batch, on a rigid stop, too, with the cubic spring kept, and by an integrator."""
+    """1.05 million starts in the batch, also on a rigid stop, with the cubic spring kept, and by an integrator."""
     def told(*sets):
         settings = [word for one in sets for word in ("--set", one)]
         checked = launch.run("check", JOBS / "attractors_170mm.toml", *settings, cwd=tmp_path)
@@ -220,7 +220,7 @@ def test_check_prices_starts_by_what_carries_them(tmp_path):
 
 
 def test_check_prices_critical_kicks(tmp_path):
-    """They take as long as some ten thousand starts: 850,000 cycles a cell, 0.33 us each; these 80 took 3.2 s."""
+    """They take as long as about ten thousand starts: 850,000 cycles per cell, 0.33 us each; these 80 took 3.2 s."""
     jobs.write(tmp_path, many_starts.small_map())
     kicks = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=2", "--set", 'output.fields=["critical_kick"]',
                        cwd=tmp_path)

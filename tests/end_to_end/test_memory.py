@@ -1,4 +1,4 @@
-"""What a job takes of memory: told by `check`, and refused where there isn't so much, before anything is made."""
+"""The memory of a job: reported by `check`, and refused if unavailable, before anything is created."""
 
 import re
 import resource
@@ -19,7 +19,7 @@ def sweep(samples, attractors=64):
 
 
 def run_with(megabytes, *arguments, cwd):
-    """With a limit of the address space that leaves about so much beside what the program itself takes."""
+    """With an address-space limit that leaves about this much beyond the program's own size."""
     peak = subprocess.run(["bash", "-c", '"$@" > /dev/null & while kill -0 $! 2> /dev/null; do '
                            "sed -n 's/VmPeak: *//p' /proc/$!/status 2> /dev/null; done", "bash", *launch.command("--version")],
                           env=launch.ENVIRONMENT, capture_output=True, text=True, check=False).stdout
@@ -63,7 +63,7 @@ def test_check_tells_what_is_left(tmp_path):
         available = int(re.search(r"MemAvailable: +(\d+) kB", info.read()).group(1)) * 1024 / MEGABYTE
     told = launch.run("check", "job.toml", cwd=tmp_path).stdout
     left, unit = re.search(r"per rank, on any number of ranks; ([\d.]+) (MB|GB) is left here", told).groups()
-    assert 0 < float(left) * (1000 if unit == "GB" else 1) < 1.5 * available  # less where a control group says so
+    assert 0 < float(left) * (1000 if unit == "GB" else 1) < 1.5 * available  # less if a control group limits it
 
 
 def test_what_fits_is_computed(tmp_path):
@@ -75,7 +75,7 @@ def test_what_fits_is_computed(tmp_path):
 
 
 def test_starts_of_an_audited_map_are_priced_by_their_count(tmp_path):
-    """A cell that is audited tells the end of each of its starts."""
+    """An audited cell reports the end of each of its starts."""
     jobs.write(tmp_path, many_starts.small_map() + "[audit]\ncells = 5\n")
     few, many = (launch.told_megabytes(launch.run("check", "job.toml", "--set", f"starts.count={count}", cwd=tmp_path))
                  for count in (10_000, 1_000_000))

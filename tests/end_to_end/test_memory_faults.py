@@ -1,4 +1,4 @@
-"""Memory that runs out at one allocation, in a small run of each kind: a slice of what tests/endurance/memory_faults.py tries."""
+"""Memory exhaustion at one allocation, in a small run of each kind: a sample of tests/endurance/memory_faults.py."""
 
 import pytest
 
@@ -11,9 +11,9 @@ def kind(request, tmp_path_factory):
 
 
 def test_an_allocation_that_fails_leaves_the_right_file_or_says_so(kind):
-    """Of the program's own, the first ones, before main(), among them."""
+    """The program's own allocations, including the first ones, before main()."""
     places = [first for first, _ in kind.places("program")]
-    assert len(places) > 500  # a library that isn't loaded would count none
+    assert len(places) > 500  # a library that is not loaded would count none
     tried = [kind.fails("program", places[len(places) * part // 6]) for part in range(6)]
     assert [problem for _, problem in tried if problem] == []
     assert sum(ended == "said so" for ended, _ in tried) >= 4

@@ -1,5 +1,5 @@
-"""operating_point.py on maps that the program computed: what it tells is what the program finds in the box, on another
-grid, and no other place of the map is better."""
+"""operating_point.py on maps computed by the program: its statements agree with what the program finds in the box, on
+another grid, and no other place of the map is better."""
 
 import os
 import re
@@ -32,7 +32,7 @@ def operate(folder, *arguments, **variables):
 
 @pytest.fixture(scope="module")
 def plane(tmp_path_factory):
-    """The two bands of z = 1/1 and 1/2, 0.05 Hz and 0.045 mm from cell to cell."""
+    """The two bands of z = 1/1 and 1/2, with cell spacings of 0.05 Hz and 0.045 mm."""
     folder = tmp_path_factory.mktemp("map")
     return compute(folder, jobs.RIG.format(kind="map", title="plane") + jobs.axis("frequency_ratio", 1.2, 3.6, 217)
                    + jobs.axis("gap_ratio", 0.0, 1.5, 31), "--set", 'output.fields=["contact_power_w"]')

@@ -1,5 +1,5 @@
-"""operating_point.py on a map with [starts] that the program computed: what it tells from every start, from a share of
-them and from the job's own, and what --verify finds, against plain loops over what the files hold."""
+"""operating_point.py on a map with [starts] computed by the program: its statements for every start, for a share of them and
+for the job's own, and the result of --verify, against plain loops over the files' contents."""
 
 import re
 import subprocess
@@ -23,7 +23,7 @@ DRIFT = ("--hz", "0.3", "--mm", "0.12")
 
 @pytest.fixture(scope="module")
 def plane(tmp_path_factory):
-    """z = 1/1, 2/2 and 1/2, alone at low gaps and beside others at higher ones."""
+    """z = 1/1, 2/2 and 1/2, alone at small gaps and coexisting with others at larger ones."""
     folder = tmp_path_factory.mktemp("map")
     jobs.write(folder, jobs.RIG.format(kind="map", title="plane") + jobs.axis("frequency_ratio", 1.2, 3.6, 73)
                + jobs.axis("gap_ratio", 0.0, 2.0, 21) + many_starts.table(COUNT))
@@ -40,8 +40,7 @@ def operate(folder, *arguments):
 
 
 def ends_of(cells, row, column, starts):
-    """The label that the starts admitted end in and the smallest force [N] among them; None where they differ or where that
-    isn't an orbit."""
+    """The label in which the admitted starts end and the smallest force [N] among them; None if they differ or if it is not an orbit."""
     own = tuple(int(cells[name][row, column]) for name in ("regime", "impacts", "period"))
     own_force = float(cells["peak_force_ratio"][row, column])
     if starts == "job":
@@ -50,7 +49,7 @@ def ends_of(cells, row, column, starts):
     for slot in range(len(cells["basin_share"])):
         label = tuple(int(cells[f"attractor_{name}"][slot, row, column]) for name in ("regime", "impacts", "period"))
         share, force = (float(cells[name][slot, row, column]) for name in ("basin_share", "attractor_peak_force_ratio"))
-        if label[0] == -128 or (starts != 1 and share == 0):  # known, but found by no start
+        if label[0] == -128 or (starts != 1 and share == 0):  # known, but not found by any start
             continue
         before, least = ends.get(label, (0.0, np.inf))
         ends[label] = (before + share, min(least, force))
@@ -65,7 +64,7 @@ def ends_of(cells, row, column, starts):
 
 
 def may_swing_free(cells, width, height):
-    """Whether there is a motion without impact in the box around each cell, of which many frequencies are looked at."""
+    """Whether there is a motion without impact in the box around each cell, sampled at many frequencies."""
     eta = cells["frequency_ratio"][:, None] + np.linspace(-width, width, 1001)
     zeta = 0.06 / (4 * np.pi * 0.298 * 4.5)
     amplitude = eta**2 / np.abs(1 - eta**2 + 2j * zeta * eta)
@@ -79,7 +78,7 @@ def read(path):
 
 
 def worst_of(ends, rows, columns):
-    """Of a box: NaN where it isn't one regime."""
+    """The worst value of a box; NaN if it has more than one regime."""
     found = [ends[row, column] for row in rows for column in columns]
     if None in found or len({label for label, _ in found}) > 1:
         return np.nan
@@ -116,7 +115,7 @@ def test_no_place_is_better_and_the_finer_box_is_told_as_it_is(tmp_path, plane, 
 
 
 def test_fewer_starts_leave_no_less(tmp_path, plane):
-    """Whoever admits every start gets no more than who admits some of them."""
+    """Admitting every start gives no more than admitting some of them."""
     best = [float(re.search(r"at least ([\d.]+) N", operate(tmp_path, plane, *DRIFT, "--starts", *words))[1])
             for words in (("any",), ("share", "0.75"))]
     assert best[0] <= best[1]

@@ -1,5 +1,4 @@
-"""The claims report from a quick run of everything: each claim is there with a verdict, and those that are known come out
-right."""
+"""The claims report from a quick run of everything: each claim is present with a verdict, and the known ones are correct."""
 
 import os
 import re
@@ -11,7 +10,7 @@ import pytest
 from launch import BINARY
 
 ROOT = Path(__file__).resolve().parents[2]
-KNOWN = {  # from independent runs of the model, and from continuation of its orbits
+KNOWN = {  # from independent simulations of the model, and from continuation of its orbits
     "gap_0_first_band": "differs",
     "gap_0_second_band": "differs",
     "gap_0_alternating": "agrees",
@@ -78,7 +77,7 @@ def test_the_numbers_are_those_of_the_model(report):
     assert 500 < last < 1500  # a mean of about a thousand cycles
     assert "0 % of the starts end in impacts, 100 % in none; no gap that was tried, gap/A0 = 1.6 to 1.7, has 10 % of" in page
     assert "with ci = 900 Ns/m instead of 1200 both are there" in page
-    # force at gap 0 is all but proportional to the amplitude: 204/235
+    # force at gap 0 is nearly proportional to the amplitude: 204/235
     assert re.search(r"cart's amplitude A0 \| 0\.8[67]\d? times", page)
 
 

@@ -1,5 +1,5 @@
-"""Pictures of files whose axes are in Hz and metres are those over ratios: ratios below and at the left, Hz and mm above and at
-the right, or either alone; --zoom is in what the axes show, a sweep along the gap says so, and measured points lie at their place."""
+"""Pictures of files whose axes are in Hz and metres equal those over ratios: ratios at the bottom and left, Hz and mm at the top and
+right, or either alone; --zoom uses the displayed units, a sweep along the gap says so, and measured points lie at their place."""
 
 import subprocess
 import sys
@@ -18,7 +18,7 @@ from peterka.measurements.points import read_measurements  # noqa: E402
 from peterka.pictures import open_file, pictures_of  # noqa: E402
 from peterka.cli.picture_options import zoomed  # noqa: E402
 
-HERTZ, MILLIMETRES = 4.5, 0.89  # what ratios of 1 are, of jobs.RIG
+HERTZ, MILLIMETRES = 4.5, 0.89  # values of ratio 1 for jobs.RIG
 FREQUENCY, GAP = "excitation frequency (Hz)", "gap (mm)"
 MAP = map_over(axis("frequency_hz", 6.0, 12.0, 7), axis("gap_m", 0.0, 2e-3, 9))
 SWEEP = (jobs.RIG.format(kind="sweep", title="gaps") + '[sweep]\ndirection = "both"\n[operating_point]\nfrequency_hz = 9.0\n'
@@ -35,7 +35,7 @@ def files(tmp_path_factory):
 
 
 def scales(ax):
-    """{label: second scale} of a picture, once it is drawn."""
+    """{label: second scale} of a drawn picture."""
     ax.figure.canvas.draw()
     return {child.get_xlabel() or child.get_ylabel(): child for child in ax.child_axes}
 
@@ -103,7 +103,7 @@ def residuals(folder, file, *arguments):
 
 
 def test_measured_points_lie_over_axes_in_hz_and_metres(files, tmp_path):
-    """The table of residuals is that of the same map, and sweep, in ratios, and so is the place of each mark."""
+    """The table of residuals equals that of the same map, and sweep, in ratios, and so does the position of each mark."""
     (tmp_path / "points.csv").write_text(POINTS)
     jobs.write(tmp_path, IN_RATIOS, "ratios.toml")
     for name, along in ALONG.items():

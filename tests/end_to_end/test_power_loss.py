@@ -1,8 +1,8 @@
-"""The order of a run's calls to the system, as SQLite looks at its own: whatever moment the power fails at, what was waited for
-is on the disk, and what is there then is a whole old file or a whole new one.
+"""The order of a run's system calls, checked as SQLite checks its own: whenever the power fails, synced data are on disk,
+and the file is a complete old one or a complete new one.
 
-Of the rest nothing is known: a name may be there or not, a byte may be written or not. So a file gets its name after its
-bytes are waited for, and the name is waited for, by the folder, before anything goes on from it.
+Nothing is known about the rest: a name may exist or not, a byte may be written or not. Hence a file gets its name only after
+its bytes are synced, and the name is synced, via the folder, before anything relies on it.
 """
 
 import os
@@ -28,7 +28,7 @@ def calls_of(folder, *arguments):
 
 
 def faults_in(calls, folder):
-    """What a loss of power could spoil, in words."""
+    """What a power failure could corrupt, in words."""
     found, unsynced, unnamed = [], set(), set()
     for call, path in calls:
         path = os.path.join(folder, path)
@@ -49,7 +49,7 @@ def faults_in(calls, folder):
 
 @pytest.fixture
 def folder(tmp_path):
-    """Its name has that of the file in it, by which calls are told."""
+    """Its name contains that of the file by which calls are identified."""
     (tmp_path / "folder_of_job.h5").mkdir()
     return tmp_path / "folder_of_job.h5"
 
@@ -71,7 +71,7 @@ def test_a_map_that_is_replaced_stays_until_the_new_one_is_on_the_disk(folder):
 
 
 def test_each_fault_of_the_order_is_seen(folder):
-    """Of the order itself, with one call left out."""
+    """Checks the order itself, with one call omitted."""
     jobs.write(folder, disk_faults.KINDS["map"])
     calls_of(folder)
     calls = calls_of(folder, "--fresh")

@@ -1,4 +1,4 @@
-"""A refined map: a share of its cells is computed, the others filled, and no run's history shows."""
+"""A refined map: some of its cells are computed, the others filled, independently of the run's history."""
 
 import os
 import random

@@ -1,4 +1,4 @@
-"""A rule over tables of a job and of its rig file is told at the job's own line; the rig file is as it should be."""
+"""A violated rule over tables of a job and of its rig file is reported at the job's own line; the rig file is valid."""
 
 import launch
 

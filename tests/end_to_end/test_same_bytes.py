@@ -1,4 +1,4 @@
-"""A cell's result depends on the job and the cell alone: any number of ranks makes the same file."""
+"""A cell's result depends only on the job and the cell: any number of ranks gives the same file."""
 
 import shutil
 import subprocess
@@ -32,7 +32,7 @@ def test_a_basin_is_the_same_at_any_number_of_ranks(tmp_path, small_basin_file, 
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_tiles_are_the_same_in_any_order_and_company(tmp_path, medium_map_file, seed):
-    """Tiles drawn at random are taken out of a map, and others of these in each of three runs are put back."""
+    """Random tiles are removed from a map, and in each of three runs others of them are restored."""
     jobs.write(tmp_path, jobs.medium_map())
     path = shutil.copy(medium_map_file, tmp_path / "job.h5")
     shuffled = np.random.default_rng(seed).permutation(map_contents.tile_count(path))
@@ -56,7 +56,7 @@ def test_a_cell_is_the_same_in_a_coarser_map(tmp_path):
 
 
 def test_the_comparison_sees_a_difference(tmp_path, small_map_file):
-    """Guards the tests above: another job's file is not the same."""
+    """Validates the tests above: another job's file differs."""
     jobs.write(tmp_path, jobs.small_map().replace("5.5e6", "5.6e6"))
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
     with pytest.raises(AssertionError):

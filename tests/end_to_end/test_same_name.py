@@ -1,5 +1,4 @@
-"""Runs into files of one name, in different folders, have nothing to do with each other: what a killed one left in shared
-memory keeps no later one waiting."""
+"""Runs into files of the same name in different folders are independent: what a killed one leaves in shared memory blocks no later one."""
 
 import subprocess
 from pathlib import Path
@@ -8,7 +7,7 @@ import jobs
 import launch
 
 SEMAPHORES = Path("/dev/shm")
-TAKEN = bytes(32)  # a semaphore that somebody holds
+TAKEN = bytes(32)  # a semaphore held by another process
 
 
 def test_what_a_killed_run_left_keeps_nobody_waiting(tmp_path):

@@ -1,5 +1,5 @@
-"""The shell scripts of jobs/ and tests/: they tell their usage, refuse what they don't know before they begin, and build in a
-clone that was moved."""
+"""The shell scripts of jobs/ and tests/: they print their usage, refuse
+unknown arguments before they begin, and build in a relocated clone."""
 
 import os
 import re
@@ -18,7 +18,7 @@ BEGUN = "has begun"
 
 @pytest.fixture
 def start(tmp_path):
-    """Runs a script in an empty folder, where every program that would do work only says that it was started."""
+    """Runs a script in an empty folder, where every program that would do work only reports that it was started."""
     programs = tmp_path / "programs"
     programs.mkdir()
     for name in ("cmake", "ctest", "mpirun", "apt-get", "clang-format", "clang-tidy", "dpkg-query", "ip", "valgrind"):
@@ -39,7 +39,7 @@ def start(tmp_path):
 
 
 def refused(done, *words):
-    """Whether a script ended with one line that holds these words, and had not begun."""
+    """Whether a script ended with one line containing these words, without having begun."""
     assert BEGUN not in done.stdout + done.stderr
     assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
     assert all(word in done.stderr for word in words), done.stderr
@@ -113,7 +113,7 @@ def run_in(clone, programs, *arguments):
 
 
 def test_a_clone_that_was_moved_or_copied_is_configured_anew(tmp_path):
-    """With a project of one target; all packages are there."""
+    """With a project of one target; all packages are present."""
     programs, clone = tmp_path / "programs", tmp_path / "clone"
     programs.mkdir()
     (programs / "dpkg-query").write_text("#!/bin/sh\necho 'install ok installed'\n", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""A finished file of any kind in which one byte is flipped is shown by nothing: neither by `run` nor by a picture."""
+"""A finished file of any kind with one flipped byte is refused by `run` and by every picture."""
 
 import importlib
 import random
@@ -53,7 +53,7 @@ def drawable(path):
 
 
 def numbers_outside_run(path):
-    """(offset, bytes) of what datasets outside /run hold, but for the mark of the end; without it a file is unfinished."""
+    """(offset, bytes) of the contents of datasets outside /run, except the end marker, without which a file counts as unfinished."""
     found = []
 
     def collect(name, item):
@@ -134,7 +134,7 @@ def test_a_file_of_the_layout_before_says_what_it_lacks(copy):
 
 @pytest.mark.parametrize("name, value", [("hammer_mass_kg", 2.98), ("frequency_ratio", 0.6)])
 def test_an_unfinished_map_with_another_frame_is_not_gone_on_with(tmp_path, name, value):
-    """Its end would seal what is wrong."""
+    """Finishing it would seal the error."""
     jobs.write(tmp_path, jobs.small_map())
     assert launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path).returncode == 5
     assert drawable(tmp_path / "job.h5")

@@ -1,4 +1,4 @@
-"""Chaos that may end on a motion without impact: the shares of its starts, and its mean life, against runs of their own."""
+"""Chaos that may end in motion without impact: the shares of its starts, and its mean life, against separate runs."""
 
 import h5py
 import numpy as np

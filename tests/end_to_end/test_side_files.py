@@ -1,4 +1,4 @@
-"""The files that a run keeps beside its output, and the names by which an output is reached."""
+"""The files that a run keeps beside its output, and the paths by which an output can be reached."""
 
 import os
 import subprocess
@@ -64,7 +64,7 @@ def test_a_second_run_by_another_name_is_kept_out(tmp_path, kind):
     assert first.returncode == 0
     if still_at_work:
         assert second.returncode == 3 and "is being written by another run" in second.stderr
-    else:  # it waited for the first one's end
+    else:  # it waited for the end of the first one
         assert second.returncode == 0 and "is complete" in second.stdout
 
 

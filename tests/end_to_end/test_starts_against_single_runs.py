@@ -1,4 +1,4 @@
-"""Shares and kicks against runs of single starts, each in full, by an integrator that shares nothing with the closed form."""
+"""Shares and kicks against complete runs of single starts, by an integrator independent of the closed form."""
 
 from collections import Counter
 
@@ -11,7 +11,7 @@ import many_starts
 
 COUNT = 12
 RECTANGLE = {"displacement": (-4.0, 0.25), "velocity": (-4.0, 4.0)}
-ROUNDING = 15  # sensitivity from which on another engine may turn a label: its errors are larger than those of rounding
+ROUNDING = 15  # sensitivity above which another engine may change a label: its errors exceed those of rounding
 OVERDAMPED = 'law = "kelvin_voigt"\nstiffness_n_per_m = 4.0e4\ndamping_ns_per_m = 2.5e2\n'  # zeta_i = 1.14
 UNDERDAMPED = 'law = "kelvin_voigt"\nstiffness_n_per_m = 5.5e6\ndamping_ns_per_m = 3.0e2\n'  # zeta_i = 0.12
 RIGID = 'law = "restitution"\ncoefficient = 0.6\n'
@@ -25,7 +25,7 @@ RIGS = {
 
 
 def window(seed):
-    """2 by 2 cells at random places where several attractors are common, and where the stop squeezes no start."""
+    """2 by 2 cells at random points where several attractors are common and no start is constrained by the stop."""
     chance = np.random.default_rng(seed)
     left, low = chance.uniform(0.8, 4.0), chance.uniform(0.3, 3.0)
     return (jobs.RIG.format(kind="map", title="cells") + jobs.axis("frequency_ratio", left, left + 0.4, 2)
@@ -58,11 +58,11 @@ def test_each_start_ends_where_a_run_of_its_own_does(tmp_path, rig, seed):
             found[label] += round(COUNT * float(many["basin_share"][slot][place]))
         assert found.total() == COUNT
         assert (wanted - found).total() <= open_ends[place], (rig, seed, place, wanted, found)
-    assert sum(open_ends.values()) < COUNT  # of 4 COUNT: else nothing was compared
+    assert sum(open_ends.values()) < COUNT  # of 4 COUNT: otherwise nothing was compared
 
 
 def rates(tau, state, eta, gap):
-    """u'' of the nondimensional hammer, in the words of src/scene/oscillator.hpp."""
+    """u'' of the nondimensional hammer, in the notation of src/scene/oscillator.hpp."""
     stiffness = 0.298 * (2 * np.pi * 4.5) ** 2
     zeta = 0.06 / (2 * np.sqrt(0.298 * stiffness))
     u, v = state
@@ -72,7 +72,7 @@ def rates(tau, state, eta, gap):
 
 
 def carried(state, begin, end, eta, gap):
-    """By Dormand and Prince's method, in steps so short that no contact hides in one; times in forcing cycles."""
+    """By the Dormand-Prince method, with steps so short that no contact is missed; times in forcing cycles."""
     period = 2 * np.pi / eta
     if end <= begin:
         return state
@@ -82,8 +82,8 @@ def carried(state, begin, end, eta, gap):
 
 @pytest.mark.parametrize("count", [16, 0])
 def test_a_critical_kick_ends_elsewhere_and_a_hair_less_does_not(tmp_path, count):
-    """1/2 beside no impact, as an attractor and as the cell's own motion. The way from the orbit's first point to the kick, and
-    from there to the next phase 0, is integrated here; what follows is a run of its own."""
+    """1/2 beside no impact, as an attractor and as the cell's own motion. The motion from the orbit's first point to the
+    kick, and from there to the next phase 0, is integrated here; a separate run follows."""
     eta, gap = 2.55, 2.95
     speed = 0.89e-3 * 2 * np.pi * 4.5  # A0 omega [m/s]
     cells = (jobs.RIG.format(kind="map", title="kicked") + jobs.axis("frequency_ratio", eta, eta, 1)
@@ -110,7 +110,7 @@ def test_a_critical_kick_ends_elsewhere_and_a_hair_less_does_not(tmp_path, count
     def end(share):
         kicked = carried(orbit, 0, phase, eta, gap)
         kicked = kicked + [0, share * told["critical_kick_direction"] * told["critical_kick"] / speed]
-        x, v = carried(kicked, phase % 1, 1, eta, gap)  # the cart is at its middle, and moves with eta
+        x, v = carried(kicked, phase % 1, 1, eta, gap)  # the cart is at its centre and moves with eta
         start = f"[start]\ndisplacement_ratio = {float(x)!r}\nvelocity_ratio = {float(v) + eta!r}\n"
         single = many_starts.compute(tmp_path, cells + start, name="single")
         return tuple(int(number) for number in labels_of(single)[0, 0])
@@ -121,8 +121,8 @@ def test_a_critical_kick_ends_elsewhere_and_a_hair_less_does_not(tmp_path, count
 
 
 def test_chaos_beside_no_impact_has_the_share_of_runs_of_their_own(tmp_path):
-    """Three cells of which most starts are chaotic, and each may end on no impact: 64 starts, and each of them by a run of its
-    own. Rounding decides a few, where chaos lives for about as long as it is followed."""
+    """Three cells in which most starts are chaotic and may end in no impact: 64 starts, and each of them in a separate run.
+    Rounding decides a few, where chaos lives for about as long as it is followed."""
     count = 64
     axes = jobs.axis("frequency_ratio", 3.89, 3.95, 3) + jobs.axis("gap_ratio", 1.1235955, 1.1235955, 1)
     cells = jobs.RIG.format(kind="map", title="chaos") + axes

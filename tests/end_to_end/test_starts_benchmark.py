@@ -1,4 +1,4 @@
-"""tests/benchmark/starts.py: its arithmetic on cells that can be overlooked, and a small run of it."""
+"""tests/benchmark/starts.py: its arithmetic on simple cells, and a small run of it."""
 
 import os
 import re
@@ -23,7 +23,7 @@ def test_errors_and_what_random_starts_would_err():
     found = starts.Found([{ONE: 0.75, QUIET: 0.25}, {QUIET: 1.0}, {HALF: 1.0}], 3 * 4 * 50, 6.0)
     row = starts.row_of(4, found, truth)
     assert (row.seconds, row.cycles) == (2.0, 50.0)
-    assert row.error == pytest.approx(((2 * 0.25**2 + 2 * 0.1**2) / 4)**0.5)  # the cell with one attractor tells nothing
+    assert row.error == pytest.approx(((2 * 0.25**2 + 2 * 0.1**2) / 4)**0.5)  # the cell with one attractor contributes nothing
     assert row.bound == pytest.approx(((2 * 0.5**2 + 2 * 0.09) / 4 / 4)**0.5)
     assert row.largest == 0.25 and row.found == 0.75
     assert row.attractors == pytest.approx(4 / 3)

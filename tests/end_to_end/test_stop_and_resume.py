@@ -1,4 +1,4 @@
-"""A run that is stopped or killed leaves a file from which the same command goes on to the same end."""
+"""A run that is stopped or killed leaves a file that the same command resumes to the same result."""
 
 import fcntl
 import os
@@ -18,9 +18,9 @@ import map_contents
 
 
 def run_to_the_end(folder, *arguments, ranks=None, seconds=None):
-    """Repeats the same command while it says that it was stopped early; gives the number of such stops.
+    """Repeats the same command while it reports an early stop; returns the number of such stops.
 
-    With `seconds`, each run gets half as much time again as the one before: on a busy machine, too, one is enough.
+    With `seconds`, each run gets 1.5 times the limit of the previous one, so that one suffices even on a busy machine.
     """
     for stops in range(60):
         limit = [] if seconds is None else ["--max-wall", seconds * 1.5**stops]
@@ -96,8 +96,8 @@ def test_other_signals_stop_a_program_of_its_own(tmp_path, name):
 
 
 def test_ctrl_c_under_mpirun_says_what_happened_and_how_to_go_on(tmp_path):
-    """mpirun turns it into SIGTERM, that of Open MPI 4 about two seconds later, and ends with a code of its own; that of
-    Open MPI 5 hands on nothing more that a rank writes."""
+    """mpirun turns it into SIGTERM, that of Open MPI 4 about two seconds later, and ends with its own code; that of Open MPI
+    5 no longer forwards the ranks' output."""
     jobs.write(tmp_path, jobs.small_map(columns=1500, rows=1500))
     process = launch.start("run", "job.toml", cwd=tmp_path, ranks=2)
     assert "cells to compute" in process.stderr.readline()
@@ -133,7 +133,7 @@ def test_kills_at_random_moments_lose_nothing(tmp_path, medium_map_file):
 
 
 def test_a_wrong_tile_would_be_seen(tmp_path, small_map_file):
-    """Guards the test above."""
+    """Validates the test above."""
     path = shutil.copy(small_map_file, tmp_path)
     assert map_contents.wrong_tiles(path, small_map_file) == 0
     with h5py.File(path, "r+") as file:
@@ -153,7 +153,7 @@ def test_more_or_fewer_ranks_may_go_on(tmp_path, larger_map_file):
 
 
 def damage(path, tile):
-    """Changes one stored number, and takes back that the file is finished: as if a run broke off, badly."""
+    """Changes one stored number and unmarks the file as finished: as if a run had broken off, badly."""
     with h5py.File(path, "r+") as file:
         assert file["tiles/done"][tile] == 1
         file["cycles"][0, 0] += 1
@@ -237,7 +237,7 @@ def test_a_file_that_another_run_writes_is_not_entered(tmp_path, fresh):
     assert not (tmp_path / "job.h5").exists()
 
 
-# A hammer of 1e-20 kg rings between the stop and nothing: one forcing cycle takes minutes.
+# A hammer of 1e-20 kg rings on the stop: one forcing cycle takes minutes.
 ENDLESS = ["--set", "hammer.mass_kg=1e-20", "--set", "hammer.cubic_stiffness_n_per_m3=238.23"]
 SLOW = {
     "map": jobs.small_map(columns=32, rows=32),
@@ -269,7 +269,7 @@ def test_a_pass_over_a_finished_map_stops_too(tmp_path, larger_map_file, ranks):
 
 
 def test_statistics_and_attractors_stop_and_are_made_by_the_next_run(tmp_path):
-    """All tiles are there; what is not, is what a pass over them makes."""
+    """All tiles are there; only the products of a pass over them are missing."""
     jobs.write(tmp_path, jobs.small_basin())
     assert launch.run("run", "job.toml", "--output", "right.h5", cwd=tmp_path).returncode == 0
     shutil.copy(tmp_path / "right.h5", tmp_path / "job.h5")

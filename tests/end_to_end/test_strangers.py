@@ -1,4 +1,4 @@
-"""An unfinished map that somebody else has made up: the run writes into that file or into none."""
+"""An unfinished map forged by a third party: the run writes into that file or into none."""
 
 import h5py
 import numpy as np

@@ -1,5 +1,4 @@
-"""What is printed may be lost: the result is safe, and exit code 3 and a word on stderr tell. A log that is lost is none of
-the result's business."""
+"""Output may be lost: the result is safe, and exit code 3 and a message on stderr report it. A lost log does not affect the result."""
 
 import os
 import subprocess
@@ -39,7 +38,7 @@ def test_a_summary_that_cannot_be_printed_is_told_and_the_file_is_whole(tmp_path
     assert launch.messages(finished)[-1].endswith(". job.h5 is complete")
     again = launch.run("run", "job.toml", cwd=tmp_path)
     assert again.returncode == 0 and "nothing is computed" in again.stdout
-    # and of a complete file the same is true
+    # the same holds for a complete file
     finished = run_in_shell(redirection, "run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 3, finished.stderr
 
@@ -55,7 +54,7 @@ def test_under_mpirun_too(tmp_path):
 
 
 def test_what_is_printed_never_gets_into_the_map(tmp_path, small_map_file):
-    """With stdout and stderr closed, the next file that is opened would be taken for them."""
+    """With stdout and stderr closed, the next file opened would take their descriptors."""
     jobs.write(tmp_path, jobs.small_map())
     finished = run_in_shell(ALL_CLOSED, "run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 3

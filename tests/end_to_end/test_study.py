@@ -1,4 +1,4 @@
-"""Studies: the same at any number of ranks, open in xarray, and with numbers that hold up."""
+"""Studies: identical at any number of ranks, readable by xarray, and with correct numbers."""
 
 import shutil
 
@@ -140,7 +140,7 @@ def test_no_engine_is_wrong_in_the_battery(stability):
     assert len(set(names)) == len(names) >= 50
     agreeing = (outcome == "agrees").sum(axis=0)
     assert (agreeing > 35).all(), agreeing
-    # what never settles is told
+    # motions that never settle are reported
     for scene in ["conservative", "secular_growth"]:
         row = names.index(scene)
         told = outcome[row][outcome[row] != "not_for_this_scene"]

@@ -1,4 +1,4 @@
-"""Sweeps: the same file at any number of ranks and after any interruption, and a summary that tells what they show."""
+"""Sweeps: the same file at any number of ranks and after any interruption, and a summary of the findings."""
 
 import os
 import shutil
@@ -62,7 +62,7 @@ def test_a_half_done_sweep_is_completed(tmp_path, small_sweep_file, missing):
     jobs.write(tmp_path, jobs.small_sweep())
     path = shutil.copy(small_sweep_file, tmp_path / "job.h5")
     map_contents.take_out(path, missing)
-    assert map_contents.wrong_tiles(path, small_sweep_file) == 0  # what is marked as done is still right
+    assert map_contents.wrong_tiles(path, small_sweep_file) == 0  # tiles marked as done are still correct
     finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=3)
     assert finished.returncode == 0, finished.stderr
     there = 6 - len(missing)

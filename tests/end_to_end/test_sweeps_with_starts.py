@@ -1,4 +1,4 @@
-"""Sweeps with [starts]: every attractor at each of their points, next to what their branches are on."""
+"""Sweeps with [starts]: every attractor at each point, besides those of the branches."""
 
 import random
 import shutil
@@ -89,7 +89,7 @@ def test_attractors_are_those_of_a_map_of_one_cell(tmp_path, sweep_file, gap, co
     cell = many_starts.compute(
         tmp_path, jobs.RIG.format(kind="map", title="one cell") + jobs.axis("frequency_ratio", frequency, frequency, 1)
         + jobs.axis("gap_ratio", GAPS[gap], GAPS[gap], 1) + many_starts.table(24), name="cell")
-    found = (cell["basin_share"][:, 0, 0] > 0).sum()  # what is known besides differs: other points know it
+    found = (cell["basin_share"][:, 0, 0] > 0).sum()  # other known motions differ: other points know them
     for name, values in here.items():
         for branch in range(2):  # of one gap: up and down share them
             if values.ndim == 3:
@@ -98,7 +98,7 @@ def test_attractors_are_those_of_a_map_of_one_cell(tmp_path, sweep_file, gap, co
 
 
 def test_starts_end_where_another_engine_leads_them(tmp_path, sweep_file):
-    """Each start at three points in full, one by one, by an integrator that shares nothing with the closed form."""
+    """Each start at three points in full, one by one, by an integrator independent of the closed form."""
     columns, count = (4, 10, 16), 24
     with h5py.File(sweep_file) as file:
         frequencies = [float(file["frequency_ratio"][column]) for column in columns]
@@ -124,11 +124,11 @@ def test_starts_end_where_another_engine_leads_them(tmp_path, sweep_file):
             found[label] = found.get(label, 0) + round(count * float(shares[slot, column]))
         missed = sum(max(wanted - found.get(label, 0), 0) for label, wanted in expected[n].items())
         assert missed <= open_ends[n], (column, expected[n], found)
-    assert open_ends.sum() < count  # of three times as many: else nothing was compared
+    assert open_ends.sum() < count  # of three times as many: otherwise nothing was compared
 
 
 def test_samples_lie_on_their_attractors(tmp_path, sweep_file):
-    """An orbit has as many as its period and its impacts; a hammer started at one of them by another engine ends there."""
+    """An orbit has as many samples as its period and its impacts; a hammer started at one of them by another engine ends there."""
     with xarray.open_dataset(sweep_file) as cells:
         assert cells.attractor_peak_force_ratio.dims == ("attractor", "branch", "frequency_ratio")
         assert cells.attractor_stroboscopic_displacement.dims == ("branch", "frequency_ratio", "sample")
@@ -166,7 +166,7 @@ def test_samples_lie_on_their_attractors(tmp_path, sweep_file):
 
 
 def test_samples_of_an_orbit_are_those_of_a_branch_on_it(sweep_file):
-    """Which found it from elsewhere."""
+    """Starts found it from elsewhere."""
     compared = 0
     with h5py.File(sweep_file) as file:
         cells = {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
@@ -198,14 +198,14 @@ def test_each_point_says_which_of_them_it_is_on(sweep_file):
         for name in ("regime", "impacts", "period"):
             of_slot = np.take_along_axis(cells[f"attractor_{name}"].values, slot, axis=0)[0]
             assert np.array_equal(of_slot[mine >= 0], cells[name].values[mine >= 0]), name
-        # where up and down are on different motions, both were found by starts
+        # where up and down are on different motions, starts found both
         apart = (cells.impacts.values[2] != cells.impacts.values[3]) & (mine[2:] >= 0).all(axis=0)
         assert apart.any() and np.all(mine[2][apart] != mine[3][apart])
 
 
 @pytest.mark.parametrize("attractors", [8, 2])
 def test_what_a_branch_ends_on_is_one_of_them_though_no_start_found_it(tmp_path, attractors):
-    """Starts are close to the motion without impact where there is one; with impacts the branch down goes on beside it."""
+    """Starts are close to the motion without impact where it exists; the falling branch with impacts coexists."""
     sets = ("axes.frequency_ratio.points=81", "starts.count=2", "starts.displacement_ratio=[-0.1,0.1]", "starts.velocity_ratio=[-0.9,-0.5]", f"starts.attractors={attractors}")
     cells = many_starts.compute(tmp_path, sweep(), *(word for one in sets for word in ("--set", one)))
     mine = cells["start_attractor"]
@@ -219,14 +219,14 @@ def test_what_a_branch_ends_on_is_one_of_them_though_no_start_found_it(tmp_path,
     orbits = alone & (regime == 1)
     assert orbits.sum() > 5
     np.testing.assert_allclose(force[orbits], cells["peak_force_ratio"][orbits], rtol=1e-6)
-    # with as many samples as those that starts found
+    # with as many samples as attractors found by starts
     for branch, column in np.argwhere(orbits):
         samples = (cells["stroboscopic_attractor"][branch, column] == mine[branch, column]).sum()
         assert samples >= min(cells["period"][branch, column], SAMPLES // attractors)
 
 
 def test_the_summary_tells_what_branches_miss(tmp_path, sweep_file):
-    """Counted anew from the file."""
+    """Recounted from the file."""
     with h5py.File(sweep_file) as file:
         share, mine = file["basin_share"][:, 2], file["start_attractor"][2:]
         several = int((file["attractors"][2] > 1).sum())

@@ -1,4 +1,4 @@
-"""Text out of a file or a job can't command the terminal on which it is shown, nor fill it."""
+"""Text from a file or a job can neither command the terminal on which it is shown nor flood it."""
 
 import shutil
 import subprocess

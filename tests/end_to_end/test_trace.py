@@ -1,4 +1,4 @@
-"""Traces: the same at any number of ranks, open in xarray, and true to the map whose cell they follow."""
+"""Traces: identical at any number of ranks, readable by xarray, and consistent with the map whose cell they follow."""
 
 import importlib
 import shutil
@@ -165,7 +165,7 @@ def without_a_dataset(source, path):
 
 
 def of_another_rig(source, path):
-    """One bit in the text of the job: 0.298 kg becomes 0.398 kg."""
+    """One bit in the job's text: 0.298 kg becomes 0.398 kg."""
     content = source.read_bytes()
     assert content.count(b"mass_kg = 0.298") >= 1
     path.write_bytes(content.replace(b"mass_kg = 0.298", b"mass_kg = 0.398"))

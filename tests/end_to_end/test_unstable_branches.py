@@ -1,5 +1,5 @@
-"""Unstable orbits at the gaps of a file of curves: orbits of an integrator that knows no event chains, and unstable there;
-they begin and end where the curves are."""
+"""Unstable orbits at the gaps of a file of curves: confirmed by an integrator independent of event chains, and unstable
+there; they begin and end on the curves."""
 
 import h5py
 import jobs
@@ -12,7 +12,7 @@ GAP = 1.5
 MASS, DAMPING, STIFFNESS, CONTACT_DAMPING = 0.298, 0.06, 5.5e6, 1.2e3
 OMEGA = 2 * np.pi * 4.5
 ZETA, KAPPA, CHI = DAMPING / (2 * MASS * OMEGA), STIFFNESS / (MASS * OMEGA**2), CONTACT_DAMPING / (MASS * OMEGA)
-FOLD_OF_1_1 = 1.862464993  # of an independent program
+FOLD_OF_1_1 = 1.862464993  # from an independent program
 END = {"border": 0, "fold": 1, "period_doubling": 2, "grazing": 3, "lost": 4}
 
 
@@ -37,12 +37,12 @@ def test_each_point_is_an_orbit_and_lies_between_points_of_curves(branches):
         for place, kind in ((part.start, begin), (part.stop - 1, end)):
             if kind in (END["fold"], END["period_doubling"]):
                 assert abs(data["branch_multiplier"][place]) == pytest.approx(1, abs=1e-6)
-        if begin in (END["fold"], END["period_doubling"]):  # what lies beyond its other end may be seen by no cell
+        if begin in (END["fold"], END["period_doubling"]):  # what lies beyond its other end may not be visible in any cell
             assert np.abs(data["crossing_frequency_ratio"] - data["branch_frequency_ratio"][part.start]).min() < 1e-9
 
 
 def test_the_loop_of_1_1_closes(branches):
-    """From its fold down to where the impact loses its speed: there the motion without impacts just reaches the stop."""
+    """From its fold down to where the impact speed vanishes: there the motion without impacts just reaches the stop."""
     data, parts = branches
     ends = {number: [data["branch_frequency_ratio"][place] for place in (part.start, part.stop - 1)]
             for number, part in enumerate(parts) if (data["branch_impacts"][number], data["branch_period"][number]) == (1, 1)}
@@ -54,7 +54,7 @@ def test_the_loop_of_1_1_closes(branches):
 
 
 def after_cycles(eta, cycles, state, gap=GAP):
-    """(x - y, x' - y') so many forcing cycles after phase 0, by Runge-Kutta from event to event."""
+    """(x - y, x' - y') this many forcing cycles after phase 0, by Runge-Kutta from event to event."""
     def force(u, v):
         return KAPPA * (u - gap) + CHI * v
 
@@ -64,7 +64,7 @@ def after_cycles(eta, cycles, state, gap=GAP):
     def contact(t, x):
         return [x[1], -2 * ZETA * x[1] - x[0] + eta**2 * np.sin(eta * t) - force(*x)]
 
-    def touches(_, x):  # from outside, or again while the hammer has not left
+    def touches(_, x):  # from outside, or again before the hammer has left
         return min(x[0] - gap, force(*x) / KAPPA)
     def releases(_, x):
         return force(*x)
@@ -99,7 +99,7 @@ def test_an_integrator_finds_them_to_be_unstable_orbits(branches):
 
 @pytest.mark.parametrize("kind", ["fold", "period_doubling", "grazing"])
 def test_an_integrator_stays_on_the_orbits_of_curves(branches, kind):
-    """At a grazing an error decides whether the impact is there, whose speed is the root of that error."""
+    """At a grazing an error decides whether the impact exists; its speed is the square root of that error."""
     data, _ = branches
     curves = np.flatnonzero((data["curve_kind"] == ("fold", "period_doubling", "grazing").index(kind)) & (data["curve_period"] <= 2))
     tried = 0

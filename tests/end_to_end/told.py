@@ -1,7 +1,7 @@
-"""What a file, and each program of it, tells: as numbers and words that two files can be compared by.
+"""What a file, and each program applied to it, reports: as numbers and words for comparing two files.
 
-Each function here takes the path of a file and a folder to work in, and gives {name: array, words or list of words}. Numbers of
-coordinates are ratios wherever the file's rig allows, whichever unit its job has."""
+Each function takes the path of a file and a working folder, and returns {name: array, words or list of words}. Coordinates
+are ratios wherever the file's rig permits, whichever unit its job uses."""
 
 import contextlib
 import io
@@ -31,7 +31,7 @@ from peterka.cli.picture_options import zoomed  # noqa: E402
 
 LIVE_CELLS = os.environ["LIVE_CELLS"]
 NAMES = {si: (ratio, unit) for ratio, si, unit in either_unit.COORDINATES.values()}
-UNTOLD = ("run", "tiles", "summary", "audit")  # what differs in its last bits, or follows from those
+UNTOLD = ("run", "tiles", "summary", "audit")  # whose last bits differ, or which follow from such numbers
 ANSWER = ("regime", "status", "engine", "impacts", "period", "cycles", "peak_force_ratio")  # of live_cells, the first numbers
 STARTS = ("displacement of the start", "velocity of the start")
 COORDINATES = ("frequency", "gap", *STARTS)
@@ -39,7 +39,7 @@ LABEL = ("regime", "impacts", "period")
 
 
 def stored(path, _=None):
-    """Every dataset under its name in ratios, coordinates and what lies on curves as ratios."""
+    """Every dataset by its name in ratios; coordinates and values on curves as ratios."""
     numbers = {}
     with h5py.File(path, "r") as file:
         def take(name, dataset):
@@ -56,7 +56,7 @@ def stored(path, _=None):
 
 
 def program(name, folder, *arguments, code=0):
-    """What postprocess/NAME.py prints, run in this process; on stderr where it is to end with another code."""
+    """The output of postprocess/NAME.py, run in this process; stderr if another exit code is expected."""
     out, err, before = io.StringIO(), io.StringIO(), (sys.argv, os.getcwd())
     sys.argv = [str(POSTPROCESS / f"{name}.py"), *map(str, arguments)]
     os.chdir(folder)
@@ -72,7 +72,7 @@ def program(name, folder, *arguments, code=0):
 
 
 def drawn(*names, units):
-    """What pictures show: their words, lines and images, in pixels of the figure but for images."""
+    """What pictures show: their words, lines and images, in pixels of the figure except for images."""
     def draw(path, _):
         shown = {}
         with open_file(path) as file, using(units=units):
@@ -81,7 +81,7 @@ def drawn(*names, units):
                 axes = pictures[name](file) if name in pictures else None
                 if axes is None:
                     continue
-                figure = (axes[0] if isinstance(axes, (list, tuple)) else axes).figure  # laid out by its title, labels and all
+                figure = (axes[0] if isinstance(axes, (list, tuple)) else axes).figure  # laid out including title and labels
                 shown |= {f"{name}: {what}": value for what, value in look(figure).items()}
         return shown
     return draw
@@ -93,7 +93,7 @@ def look(figure):
     from matplotlib.text import Text
 
     shown = {"words": [text.get_text() for text in figure.findobj(Text) if text.get_visible() and text.get_text()]}
-    lines = [line for axes in figure.axes for line in axes.lines]  # ticks have lines as well: theirs are not data
+    lines = [line for axes in figure.axes for line in axes.lines]  # ticks contain lines, which are not data
     for name, artists, numbers in (("line", lines, lambda line: line.get_transform().transform(line.get_xydata())),
                                    ("points", figure.findobj(PathCollection),
                                     lambda points: points.get_offset_transform().transform(points.get_offsets()))):
@@ -105,7 +105,7 @@ def look(figure):
 
 
 def exported(path, folder):
-    """The lines of its cells as CSV, by column."""
+    """The rows of its cells as CSV, by column."""
     program("export", folder, path, "--as", "csv", "--output-dir", folder)
     head, *lines = (folder / f"{path.stem}.csv").read_text().splitlines()
     cells = [line.split(",") for line in lines]
@@ -117,7 +117,7 @@ def exported(path, folder):
 
 
 def best_place(path, folder):
-    """What operating_point.py says of the map, with no drift and the job's own start."""
+    """The output of operating_point.py for the map, without drift and for the job's own start."""
     try:
         return {"words": program("operating_point", folder, path, "--hz", 0, "--mm", 0, "--starts", "job", "--formats", "png").split("\n")}
     except AssertionError as refusal:
@@ -126,26 +126,26 @@ def best_place(path, folder):
 
 
 def compared(first, second):
-    """What compare.py prints, without its picture."""
+    """The output of compare.py, without its picture."""
     with PeterkaFile(first) as one, PeterkaFile(second) as other:
         return comparison.text(one, other, comparison.compare(one, other))
 
 
 def dashed(path):
-    """(names and values of the axes from border to border, lines (n, 2) in their coordinates) of what is dashed in a map."""
+    """(names and values of the axes from border to border, lines (n, 2) in their coordinates) of the dashed line in a map."""
     with open_file(path) as file:
         lines = [line.get_xydata() for line in pictures_of(file)["map"](file).lines if line.is_dashed()]
         return {side.name: np.linspace(*side.edges[[0, -1]], 300) for side in (file.columns, file.rows)}, lines
 
 
 def settled_cells(file):
-    """Of an open file: whether neither chaos nor rounding decides."""
+    """For an open file: mask of the cells that neither chaos nor rounding decides."""
     return (file["status"][()] == 0) & ~np.isin(file["regime"][()], either_unit.WITHOUT_PERIOD)
 
 
 def named_in_the_other_unit(path):
-    """(tables of a job that name a cell of a map by values, in the other unit wherever the file has both; the cell's label and force),
-    of a settled cell in the middle of the map or after it."""
+    """(tables of a job that name a cell of a map by values, in the other unit wherever the file has both; the cell's label
+    and force), for a settled cell in the middle of the map or after it."""
     with h5py.File(path) as file:
         cells = np.argwhere(settled_cells(file))
         cell = tuple(cells[np.argmin(np.abs(cells - 1).sum(axis=1))])
@@ -162,7 +162,7 @@ def named_in_the_other_unit(path):
 
 
 def trace_of_cell(path, folder):
-    """A trace of a settled cell ends as the map has it."""
+    """A trace of a settled cell ends as in the map."""
     named, known = named_in_the_other_unit(path)
     jobs.write(folder, jobs.trace_of(path, named))
     finished = launch.run("run", "job.toml", cwd=folder, alone=True)
@@ -174,7 +174,7 @@ def trace_of_cell(path, folder):
 
 
 def basin_of_cell(path, folder):
-    """A basin of a settled cell has, at the map's own start, what the map has there."""
+    """A basin of a settled cell has, at the map's own start, the map's result."""
     named, known = named_in_the_other_unit(path)
     around = "".join(jobs.axis(f"{name}_ratio", either_unit.PLACE[name] - 0.5, either_unit.PLACE[name] + 0.5, 3)
                      for name in ("displacement", "velocity"))
@@ -187,7 +187,7 @@ def basin_of_cell(path, folder):
 
 
 def parts(path, _):
-    """The cells that --zoom leaves between the middles of the outer ones, asked for in ratios and in Hz and mm."""
+    """The cells left by --zoom between the centres of the outer ones, requested in ratios and in Hz and mm."""
     left = {}
     with open_file(path) as file:
         from peterka.plotting.axes import si_scale
@@ -206,8 +206,8 @@ def parts(path, _):
 
 
 def content_of_page(path):
-    """(what explore.py gives a page, in which `cell` is numbers for live_cells; its text), without the engine, which takes a minute
-    to build."""
+    """(the content that explore.py gives a page, in which `cell` is numbers for live_cells; its text), without the engine,
+    which takes a minute to build."""
     with PeterkaFile(path) as file:
         engine, page.module = page.module, lambda: b""
         try:
@@ -219,7 +219,7 @@ def content_of_page(path):
 
 
 def settled(cell):
-    """What a page does before it asks its engine: numbers in Hz, m and m/s become ratios of the cell's own rig."""
+    """The page's conversion before it calls its engine: numbers in Hz, m and m/s become ratios of the cell's own rig."""
     hertz, metres = cell["natural_frequency_hz"], cell["amplitude_m"]
     if hertz is None:
         hertz = (cell["stiffness_n_per_m"] / cell["mass_kg"])**0.5 / (2 * np.pi)
@@ -231,7 +231,7 @@ def settled(cell):
 
 
 def explored(path, _):
-    """Every cell solved by the page's engine: the same labels and forces as in the file, where rounding decides nothing."""
+    """Every cell solved by the page's engine: the same labels and forces as in the file, except where rounding decides."""
     content, _ = content_of_page(path)
     names, lines = list(content["cell"]), []
     names = [name for name in names if name not in NAMES]

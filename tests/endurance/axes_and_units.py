@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The table of end_to_end/test_axes_and_units.py over every pair of axes: what is told of a file, in either unit."""
+"""The table of end_to_end/test_axes_and_units.py over every pair of axes: what programs report of a file, in either unit."""
 
 import os
 import re

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Shares of 200 cells of random rigs in which chaos may end on a motion without impact, against runs of their own: within the
-binomial error. More than five errors in a cell fail the part, and so do errors that are larger than chance makes them.
+"""Shares of 200 cells of random rigs in which chaos may end in motion without impact, against separate runs: within the
+binomial error. The part fails on more than five errors in a cell, or on errors larger than by chance.
 
     PETERKA_ENDURANCE_CELLS=20 tests/endurance.sh chaos_shares     instead of 200
 """
@@ -18,7 +18,7 @@ import shares_of_chaos
 CELLS = int(os.environ.get("PETERKA_ENDURANCE_CELLS", "200"))
 SEED = int(os.environ.get("PETERKA_ENDURANCE_SEED", "5"))
 WINDOW = {"frequency_ratio": (1.5, 5.0), "gap_ratio": (1.05, 2.5)}
-FROM_EACH = 10  # rig
+FROM_EACH = 10  # cells per rig
 MOST_ERRORS, LARGEST_MEAN_SQUARE = 5, 1.3
 
 

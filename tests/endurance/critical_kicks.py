@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Critical kicks of random rigs, attacked by 10,000 smaller ones each, at random phases, by plain runs (critical_kicks.cpp).
+"""Critical kicks of random rigs, each tested against 10,000 smaller kicks at random phases, by plain simulations (critical_kicks.cpp).
 
     PETERKA_ENDURANCE_ATTRACTORS=20 tests/endurance.sh critical_kicks     instead of 100
 
-Where kicks of the worst case end is drawn into pictures/critical_kick.png: of the orbit for which the smallest of the others was
-found, relative to the one told, or, where none was, of the one with the smallest critical kick.
+The outcomes of the worst case's kicks are drawn into pictures/critical_kick.png: for the orbit with the smallest
+counterexample relative to the reported kick or, if there is none, for the orbit with the smallest critical kick.
 """
 
 import os
@@ -33,7 +33,7 @@ ORBIT = re.compile(r"rig (\d+) slot (\d+) (\d+/\d+) kick ([\d.e+-]+) phase ([\d.
 
 
 def worst_of(told):
-    """(rig, slot, "p/q", kick, phase, direction) of an orbit; None where no kick ends elsewhere."""
+    """(rig, slot, "p/q", kick, phase, direction) of an orbit; None if no kick ends elsewhere."""
     found = [(float(least or 1), float(kick), (rig, slot, label, float(kick), float(phase), int(direction)))
              for rig, slot, label, kick, phase, direction, least in ORBIT.findall(told)]
     return min(found)[2] if found else None
@@ -45,7 +45,7 @@ def draw(case, path):
     with tempfile.TemporaryDirectory() as folder:
         plane = Path(folder) / "plane.txt"
         subprocess.run([BUILD / "tests" / "critical_kicks", "plane", rig, slot, str(POINTS), str(SEED), plane], check=True)
-        kicks = np.loadtxt(plane, usecols=(0, 1, 2))  # as they came to their ends
+        kicks = np.loadtxt(plane, usecols=(0, 1, 2))  # in order of completion
     phases, changes, ends = (column.reshape(POINTS, POINTS) for column in kicks[np.lexsort((kicks[:, 0], kicks[:, 1]))].T)
     figure, ax = plt.subplots(figsize=(4.6, 3.6), layout="constrained")
     ax.pcolormesh(phases, changes, ends, cmap=ListedColormap(list(ENDS.values())), vmin=0, vmax=len(ENDS) - 1, rasterized=True)

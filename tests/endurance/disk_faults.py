@@ -16,7 +16,7 @@ import parts
 import disk_faults
 
 STRIDE = int(os.environ.get("PETERKA_ENDURANCE_STRIDE", "1"))
-FEW = 20  # calls of a kind: each is tried with every error
+FEW = 20  # calls of a kind: then each is tested with every error
 
 
 def faults(kind):

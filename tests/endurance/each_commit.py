@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The faults that the tests of each commit try, too, so that the table has them all. A test that is gone is an error."""
+"""The faults tested at each commit, so that the table is complete. A test that no longer exists is an error."""
 
 import sys
 import tempfile
@@ -12,7 +12,7 @@ import pytest
 import parts
 
 TESTS = Path(__file__).parents[1] / "end_to_end"
-WHAT_IS_TRIED = {  # the test: the fault, and what happens where it passes
+WHAT_IS_TRIED = {  # the test: the fault, and the outcome if it passes
     "test_kills_at_random_moments_lose_nothing": ("ten kills at random moments in a row", "no loss, the same bytes"),
     "test_a_run_with_a_killed_rank_ends_and_goes_on": ("one rank killed", "all end, the same command goes on"),
     "test_a_damaged_tile_is_computed_again": ("a tile that fails its checksum", "computed again, the same bytes"),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""How far cells are from the edge of their motion, against sweeps that drag the motion to where its label changes or its force
-jumps: 500 random cells of five random rigs, along both axes. A distance that is wrong fails the part and is named, and so do
-more than 2 % of cells that say that they don't know. And the borders that summaries tell.
+"""Distances of cells from the boundary of their motion, against sweeps that continue the motion until its label changes or
+its force jumps: 500 random cells of five random rigs, along both axes. A wrong distance fails the part and is reported, as
+do more than 2 % of cells with unknown distance. Also checks the borders listed in summaries.
 
     PETERKA_ENDURANCE_CELLS=20 tests/endurance.sh edges     of each rig, instead of 100
 """
@@ -21,7 +21,7 @@ SEED = int(os.environ.get("PETERKA_ENDURANCE_SEED", "11"))
 
 
 def distances(folder, rig, seed):
-    """What is wrong with the distances of random cells, None where nothing is."""
+    """The faults in the distances of random cells, None if correct."""
     cells = edges_of_motions.cells_of(folder, rig)
 
     def one(number, cell, side):
@@ -39,7 +39,7 @@ def distances(folder, rig, seed):
 
 
 def borders(folder, rig):
-    """Whether each border that is told at three gaps is one."""
+    """Whether each border listed at three gaps is one."""
     low, high = edges_of_motions.window_of(rig)["gap_ratio"]
     found = []
     for gap in (low + share * (high - low) for share in (0.2, 0.5, 0.8)):

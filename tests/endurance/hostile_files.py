@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Every program of postprocess on files of every kind with one thing in them changed, one after the other: it draws, or it
-says in one line why not, with exit code 2 or 3. Pictures are drawn and thrown away."""
+"""Every program of postprocess on files of every kind with one item changed, one after the other: it draws, or it gives the
+reason in one line, with exit code 2 or 3. Pictures are discarded."""
 
 import contextlib
 import importlib
@@ -30,7 +30,7 @@ def draw_and_throw_away(figure, path):
 
 
 def programs(kind, path):
-    """(name, arguments) of all that read such a file."""
+    """(name, arguments) of all programs that read such a file."""
     yield "draw", [path, *PICTURES]
     if kind == "map with starts":
         yield "operating_point", [path, "--hz", "0.5", "--mm", "0.1", *PICTURES]
@@ -49,7 +49,7 @@ def programs(kind, path):
 
 
 def fault_of(name, arguments):
-    """What is wrong with what the program did; None where nothing is."""
+    """The fault in the program's reaction; None if there is none."""
     sys.argv = [f"{name}.py", *map(str, arguments)]
     out, errors = io.StringIO(), io.StringIO()
     try:
@@ -57,7 +57,7 @@ def fault_of(name, arguments):
             code = importlib.import_module(name).main()
     except SystemExit as stop:
         code = stop.code
-    except Exception:  # whatever it is, it is what we look for
+    except Exception:  # any exception is a fault
         return traceback.format_exc(limit=-2)
     said = errors.getvalue()
     if code not in (0, 2, 3) or (code != 0 and said.count("\n") != 1):

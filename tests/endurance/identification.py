@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Whether identify.py's standard errors are those of repetition: recordings of random rigs, computed by scipy's DOP853, with noise of
-0.1 to 5 %, of force, or acceleration, with or without displacement. Intervals of 68 % and 95 % must hold the truth as often as they
-say, within what chance allows (binomial, 99.9 %), and the mean of all errors over their standard errors be below 0.2."""
+"""Whether identify.py's standard errors agree with the scatter of repetitions: recordings of random rigs, computed by scipy's DOP853,
+with noise of 0.1 to 5 %, of force, or acceleration, with or without displacement. Intervals of 68 % and 95 % must cover the truth at
+their nominal rates within chance (binomial, 99.9 %), and the mean of all errors over their standard errors must be below 0.2."""
 
 import os
 import sys

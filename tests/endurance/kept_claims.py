@@ -20,7 +20,7 @@ RIGID = kept_claims.rigid_rigs(31, COUNT)
 
 
 def over(rigs, check):
-    """The results of a check over many rigs; rigs in which a claim is broken are named."""
+    """The results of a check over many rigs; rigs in which a claim is violated are reported."""
     results = []
     with tempfile.TemporaryDirectory() as folder:
         for rig in rigs:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Two hundred kills at random moments, of one rank, of all, of mpirun, each resumed at another number of ranks."""
+"""Two hundred kills at random times, of one rank, of all, of mpirun, each resumed with another number of ranks."""
 
 import random
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Each place that allocates memory in a small run of each kind, told by its stack of calls, gets none: the first time, and
-the last. What the program itself asks for, HDF5, Open MPI and SUNDIALS, one after the other.
+"""Each place that allocates memory in a small run of each kind, identified by its call stack, fails: the first time, and the
+last. Covers the program's own allocations, then those of HDF5, Open MPI and SUNDIALS.
 
     PETERKA_ENDURANCE_STRIDE=10 tests/endurance.sh memory_faults         only every tenth place
     PETERKA_ENDURANCE_KINDS=sweep,trace tests/endurance.sh memory_faults   only these; the table keeps the rows of the others

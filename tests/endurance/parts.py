@@ -1,4 +1,4 @@
-"""What the parts share: the helpers of the end-to-end tests, and the rows of the table."""
+"""Shared by the parts: the helpers of the end-to-end tests, and the rows of the table."""
 
 import os
 import sys
@@ -14,7 +14,7 @@ if "ENDURANCE_ROWS" not in os.environ or len(sys.argv) > 1:
 
 
 def is_wanted(kind):
-    """Whether a part that goes through kinds of files does this one: all, or those of PETERKA_ENDURANCE_KINDS."""
+    """Whether a part that iterates over kinds of files includes this one: all, or those of PETERKA_ENDURANCE_KINDS."""
     wanted = os.environ.get("PETERKA_ENDURANCE_KINDS", "")
     return not wanted or kind in wanted.split(",")
 

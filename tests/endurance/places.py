@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What 30 boxes of operating_point.py promise, each against 10,000 starts and places at random. A start that swings without
-impact in a box for every start fails the part, and so do more starts that end elsewhere than the words allow.
+"""Promises of 30 boxes of operating_point.py, each tested with 10,000 random starts and places. A start that swings without
+impact in a box for every start fails the part, as do more starts ending elsewhere than stated.
 
     PETERKA_ENDURANCE_BOXES=4 tests/endurance.sh places     instead of 30
 """
@@ -21,7 +21,7 @@ BOXES = int(os.environ.get("PETERKA_ENDURANCE_BOXES", "30"))
 SEED = int(os.environ.get("PETERKA_ENDURANCE_SEED", "17"))
 DRIFT = 0.1, 0.03  # Hz, mm
 TRIES = 48  # times 210 starts
-EACH = 2  # boxes of a map
+EACH = 2  # boxes per map
 KINDS = [(16, ("any",)), (59, ("any",)), (59, ("share", "0.95"))]
 
 
@@ -43,7 +43,7 @@ def main():
                 found = lots[" ".join(which) + f", {starts} starts"]
                 found[0] += 1
                 found[1] += ends.total()
-                found[2] += ends[0] if which == ("any",) else 0  # without impact, which is proved not to be
+                found[2] += ends[0] if which == ("any",) else 0  # without impact, which was proved impossible
                 found[3] += elsewhere > allowed
                 found[4] = max(found[4], elsewhere)
                 boxes += 1

@@ -1,4 +1,4 @@
-"""Whether two map files hold the same, outside /run.   usage: same_map.py FILE EXPECTED"""
+"""Whether two map files have the same contents, outside /run.   usage: same_map.py FILE EXPECTED"""
 
 import sys
 from pathlib import Path

@@ -26,20 +26,21 @@ SCENES = {
 }
 WAYS = [(None, "SIGUSR1"), (None, "SIGTERM"), (None, "SIGINT"), (None, "--max-wall"),
         (3, "SIGUSR1"), (3, "SIGTERM"), (3, "SIGINT"), (3, "--max-wall")]
-LONGEST_WAIT = 0.5  # seconds of work before the wish to stop
-PROMPT = 0.5  # seconds from the wish to the end of a run of its own
+LONGEST_WAIT = 0.5  # seconds of work before the stop request
+PROMPT = 0.5  # seconds from the request to the end of a run without mpirun
 PROMPT_OF_MPIRUN = 5
-OF_MPIRUN = {"SIGTERM": (1, 128 + signal.SIGTERM), "SIGINT": (1, 128 + signal.SIGINT)}  # its exit codes upon these
+OF_MPIRUN = {"SIGTERM": (1, 128 + signal.SIGTERM), "SIGINT": (1, 128 + signal.SIGINT)}  # mpirun's exit codes upon these signals
 STOPPED_EARLY = 5
 TRIES = 4
 
 
 def stopped(folder, arguments, ranks, way, wait):
-    """Exit code, and seconds from the wish to stop to the program's last word and to the end of all; None for no word."""
+    """Exit code, and seconds from the stop request to the program's last
+    message and to the end of all processes; None without a message."""
     limit = ["--max-wall", wait] if way == "--max-wall" else []
-    wish = time.monotonic() + wait  # the program's clock starts as soon as it knows the job
+    wish = time.monotonic() + wait  # the program's clock starts as soon as the job is read
     process = launch.start("run", "job.toml", *arguments, *limit, cwd=folder, ranks=ranks)
-    begin = process.stderr.readline()  # "... cells to compute", or the last word where time was over by then
+    begin = process.stderr.readline()  # "... cells to compute", or the last message if the time was already over
     if not limit:
         try:
             process.wait(timeout=wait)
@@ -55,14 +56,14 @@ def stopped(folder, arguments, ranks, way, wait):
 
 
 def stopped_on_the_way(text, arguments, ranks, way):
-    """The same of a run that was still at work: one that was over before is tried again, with a shorter wait."""
+    """The same for a run still at work: one that ended before is repeated with a shorter wait."""
     wait = LONGEST_WAIT if way == "--max-wall" else random.uniform(0, LONGEST_WAIT)
     for _ in range(TRIES):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             jobs.write(folder, text)
             code, word, end = stopped(folder, arguments, ranks, way, wait)
-            map_contents.done_tiles(folder / "job.h5")  # it can be read
+            map_contents.done_tiles(folder / "job.h5")  # the file can be read
         if code != 0:
             return code, word, end
         wait /= 4

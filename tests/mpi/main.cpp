@@ -1,7 +1,7 @@
-// Runs the tests of collective functions on all ranks; the outcome is that of the worst rank.
+// Runs the tests of collective functions on all ranks; the exit code is that of the worst rank.
 //
-// Every rank runs every test. A rank that leaves a test early while others wait in it would hang them, so what
-// ranks compare is gathered first and asserted afterwards.
+// Every rank runs every test. A rank that leaves a test early would deadlock ranks still waiting in it, so
+// values to compare are gathered first and asserted afterwards.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-// For all ranks but the first, which tells the progress.
+// For all ranks but the first, which reports progress.
 class FailuresOnly : public testing::EmptyTestEventListener {
     void OnTestPartResult(const testing::TestPartResult& result) override {
         if (!result.failed()) return;

@@ -1,4 +1,4 @@
-// The table of attractors in a basin's file that several ranks write.
+// The attractor table of a basin file written by several ranks.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -52,7 +52,7 @@ TEST_P(OutputBasinFile, EveryCellFindsItsRow) {
 }
 
 TEST_P(OutputBasinFile, MoreAttractorsThanTheTableHolds) {
-    orbits_ = 400;  // of which one periodic cell in every six of 3500 cells sees most
+    orbits_ = 400;  // of which one periodic cell in every six of 3500 has the largest number
     MapFile map = create("basin.h5");
     write(map, map.remaining_tiles().tiles);
     map.finish(map.statistics(), omitted, {});

@@ -1,4 +1,4 @@
-// The map file in the hands of several ranks: the same bytes whoever wrote which tile, and after a resume.
+// A map file written by several ranks: identical bytes whichever rank writes which tile, and after a resume.
 #include "map_file/map_file.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_P(OutputMapFile, SameBytesAsByOneRankAlone) {
     EXPECT_EQ(content("together.h5"), content("alone.h5"));
 }
 
-// Where a dataset's numbers lie in the file [bytes].
+// Location of a dataset's numbers in the file [bytes].
 struct Range {
     haddr_t begin = 0;
     haddr_t end = 0;
@@ -59,7 +59,7 @@ std::vector<Range> ranges_of_numbers(const std::filesystem::path& path, const jo
     return ranges;
 }
 
-// What makes a kill harmless: all that happens to the file on disk, and at once, is numbers in their place.
+// Kills are harmless because the file on disk changes only by numbers written in place, immediately.
 TEST_P(OutputMapFile, WritingTilesChangesNothingButNumbersAtOnce) {
     MapFile map = create("map.h5");
     const std::string before = examples::content_of(folder_ / "map.h5");

@@ -1,4 +1,4 @@
-// What ranks do together: fail together, share the work, exchange what they found.
+// Collective operations: common failure, work sharing, exchange of results.
 #include "parallel/collective.hpp"
 
 #include <gtest/gtest.h>

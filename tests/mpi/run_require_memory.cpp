@@ -1,4 +1,4 @@
-// What ranks of one machine need together.
+// The joint memory requirement of the ranks of one machine.
 #include "run/require_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(RequireMemory, WhatIsLeftIsForAllRanksOfAMachine) {
     EXPECT_NE(lack->host[0], 0);
 }
 
-// That one of them has less is known to all.
+// All ranks learn that one machine has too little.
 TEST(RequireMemory, OneMachineThatLacksMemoryIsEnough) {
     int rank = 0;
     int ranks = 1;

@@ -1,7 +1,7 @@
-"""Small faults that can be put into a C++ file: each a place and what stands there instead.
+"""Small faults that can be injected into a C++ file: each a position and its replacement.
 
-Read off the text, which clang-format has put in order: binary operators have a space on both sides, brackets of templates none.
-What doesn't compile is no mutant; whoever tries them finds that out.
+Based on the text as formatted by clang-format: binary operators have spaces on both sides, template brackets have none.
+Variants that do not compile are not mutants; the caller finds out.
 """
 
 import re
@@ -31,7 +31,7 @@ class Mutant:
         return text[:self.begin] + self.after + text[self.end:]
 
     def told(self, text: str) -> str:
-        """FILE:LINE: the line as it is -> the line as it becomes."""
+        """FILE:LINE: the original line -> the mutated line."""
         number, first = text.count("\n", 0, self.begin) + 1, text.rfind("\n", 0, self.begin) + 1
         last = text.find("\n", self.end)
         line = text[first:self.begin] + self.after + text[self.end:last]
@@ -39,7 +39,7 @@ class Mutant:
 
 
 def mutants_of(path: str, text: str) -> list[Mutant]:
-    """All of a file, in its order."""
+    """All mutants of a file, in order."""
     code = NOT_CODE.sub(lambda found: re.sub(r"[^\n]", "\0", found.group()), text)
     found = [(place.start(), place.end(), TURNED[place.group()])
              for place in re.finditer("|".join(map(re.escape, sorted(TURNED, key=len, reverse=True))), code)]

@@ -41,7 +41,7 @@ def output(*command, **options):
 
 
 class Build:
-    """How a file becomes a part of unit_tests."""
+    """How a file is compiled and linked into unit_tests."""
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -63,12 +63,12 @@ class Build:
         return words[words.index("-o") + 1]
 
     def sources(self, path: Path) -> list[str]:
-        """What is compiled anew where a file changes."""
+        """The files to recompile when a file changes."""
         linked = [self.source[unit] for unit in self.units[str(path)] if unit in self.source]
         return [file for file in ([str(path)] if path.suffix == ".cpp" else linked) if "src/page/" not in file]
 
     def program(self, path: Path, text: str, work: Path) -> Path | None:
-        """unit_tests with this text in place of a file; None where it can't be built."""
+        """unit_tests with this text in place of a file; None if it cannot be built."""
         changed = work / "src" / path.relative_to(ROOT / "src")
         changed.parent.mkdir(parents=True)
         changed.write_text(text)
@@ -80,7 +80,7 @@ class Build:
             words = [str(changed) if word == str(path) else word for word in words if word != "-Werror"]
             if subprocess.run([words[0], f"-I{work}/src", *words[1:], "-w"], cwd=self.folder, capture_output=True).returncode:
                 return None
-            # ahead of the library, whose own one is then not asked for
+            # ahead of the library, whose own version is then not used
             link = [new if word == unit else word for word in link] if unit in link else [link[0], new, *link[1:]]
         program = work / "unit_tests"
         link[link.index("-o") + 1] = str(program)
@@ -94,7 +94,7 @@ def suites(pattern: str) -> list[str]:
 
 
 def stages(path: Path) -> list[tuple[str, str]]:
-    """(who catches it, the tests to run) in their order."""
+    """(level at which it is caught, the tests to run), in order."""
     folder, stem = path.parent.name, path.stem.removesuffix("-inl")
     own, folders = suites(f"{folder}_{stem}*"), suites(f"{folder}_*")
     others = [name for name in suites("*") if name not in folders]
@@ -133,7 +133,7 @@ class Trial:
 
 
 def drawn(build: Build, folders: list[str], seed: int):
-    """All mutants, in the order in which they are drawn."""
+    """All mutants, in the order of sampling."""
     files = [file for file in sorted((ROOT / "src").glob("*/*.[ch]pp")) if not folders or file.parent.name in folders]
     files = [file for file in files if not file.stem.endswith(("_kernel", "-inl"))
              and 0 < len(build.sources(file)) <= MOST_UNITS and all(each in build.compile for each in build.sources(file))]

@@ -1,4 +1,4 @@
-"""A map file opens in every common reader with named axes, units, classes and where it came from."""
+"""A map file opens in every common reader with named axes, units, classes and provenance."""
 
 import math
 import warnings
@@ -24,7 +24,7 @@ AXES = {
     "map": {"frequency_ratio": (0.5, 3.5), "gap_ratio": (0.0, 4.5)},
     "basin": {"displacement_ratio": (-3.0, 0.0), "velocity_ratio": (-0.8, 2.2)},
 }
-# The same axes in the other unit: their name, its unit, and the factor to it.
+# The same axes in the other unit: name, unit, and the conversion factor.
 TWINS = {
     "map": {"frequency_hz": ("frequency_ratio", "Hz", 4.5), "gap_m": ("gap_ratio", "m", 0.89e-3)},
     "basin": {"displacement_m": ("displacement_ratio", "m", 0.89e-3),

@@ -1,11 +1,11 @@
-"""A small map with [starts], made by hand."""
+"""A small synthetic map with [starts]."""
 
 import numpy as np
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, orbit, write_map
 from sealing import SealedFile
 
 EMPTY = (-128, -1, -1)
-# Of each cell: attractors with their shares.
+# For each cell: attractors with their shares.
 CELLS = [[[(NO_IMPACT, 1.0)], [(orbit(1, 2), 0.75), (NO_IMPACT, 0.25)], [(NO_IMPACT, 0.75), (orbit(1, 2), 0.25)]],
          [[(CHAOTIC, 0.5), (orbit(1, 1), 0.25), (NO_IMPACT, 0.25)], [(orbit(1, 1), 1.0)], []]]
 KICKS = [[[], [0.5], [np.nan, 0.125]], [[np.nan, np.nan], [np.nan], []]]

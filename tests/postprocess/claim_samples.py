@@ -1,4 +1,4 @@
-"""Small planes and folders of planes that claims are judged on."""
+"""Small planes and folders of planes for testing claims."""
 
 from pathlib import Path
 
@@ -13,8 +13,8 @@ cart = { amplitude_m = 0.89e-3 }
 
 
 def plane(labels, force=None, gap_ratio=1.0, rows=None, columns=None, last_impact=None):
-    """`labels`: (regime, p, q) by row and column. A hammer of 1 N and 1 Hz, a cart of 1 mm: ratios are N, Hz and mm; columns
-    are 1, 2, ... unless told, rows 0, 1, ..."""
+    """`labels`: (regime, p, q) by row and column. A hammer of 1 N and 1 Hz, a cart of 1 mm: ratios equal N, Hz and mm;
+    columns are 1, 2, ... by default, rows 0, 1, ..."""
     labels = np.array(labels)
     job = {"hammer": {"natural_frequency_hz": 1.0, "mass_kg": 1 / 9.80665}, "cart": {"amplitude_m": 1e-3},
            "operating_point": {"gap_ratio": gap_ratio, "frequency_ratio": 2.0}}
@@ -26,7 +26,7 @@ def plane(labels, force=None, gap_ratio=1.0, rows=None, columns=None, last_impac
 
 
 def basin(striking, quiet, gap_ratio=1.0):
-    """So many starts of each; gap_ratio is where."""
+    """A basin with these numbers of starts of each kind; gap_ratio is its operating point."""
     cells = [[ONE] * striking + [QUIET] * quiet]
     return plane(cells, gap_ratio=gap_ratio, last_impact=np.zeros((1, striking + quiet), dtype=int))
 

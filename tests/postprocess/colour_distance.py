@@ -1,4 +1,4 @@
-"""How different two colours look: CIEDE2000 (Sharma, Wu and Dalal 2005), and how the colour-blind see a colour.
+"""Colour difference CIEDE2000 (Sharma, Wu & Dalal 2005), and simulation of colour vision deficiencies.
 
 Protanopia, deuteranopia and tritanopia after Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB. Colours are '#RRGGBB', sRGB, D65.
 """

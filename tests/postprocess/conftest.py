@@ -12,7 +12,7 @@ sys.path.insert(0, str(POSTPROCESS))
 
 
 def pytest_configure(config):
-    # a picture whose axes collapsed is only warned of by matplotlib
+    # matplotlib only warns of a picture whose axes collapsed
     config.addinivalue_line("filterwarnings", "error:constrained_layout")
 
 

@@ -14,7 +14,7 @@ CROSSINGS = [(0, 1.75, 1.0), (1, 3.2, 1.0)]  # number of the line, frequency_rat
 
 
 def write_curves(path, lines=None, specials=None, crossings=(), branches=(), **attributes):
-    """`branches`: gap, p, q, points (frequency_ratio, force, x at phase 0 ...), each point of one length."""
+    """`branches`: gap, p, q, points (frequency_ratio, force, x at phase 0 ...), all points of a branch having equal length."""
     lines, specials = LINES if lines is None else lines, SPECIALS if specials is None else specials
     write_map(path, PLAIN, **attributes)
     with SealedFile(path, "r+") as file:

@@ -1,4 +1,4 @@
-"""Files of every kind with one thing in them changed: each dataset and each attribute, to what no program of ours writes."""
+"""Files of every kind with one item changed: each dataset and each attribute, to contents that no program of ours writes."""
 
 import shutil
 
@@ -65,7 +65,7 @@ REAL = {"1e308": 1e308, "-1e308": -1e308, "infinite": np.inf, "no number": np.na
 
 
 def changes_of(values):
-    """{what: other values} of a dataset."""
+    """{description: altered values} of a dataset."""
     values = np.asarray(values)
     changes = {"as text": np.full(values.shape, b"x"), "scalar" if values.shape else "list": (
         values.ravel()[0] if values.shape else np.array([values, values])), "nothing": np.zeros((0,) * max(values.ndim, 1))}
@@ -96,7 +96,7 @@ JOBS = {"mass as text": JOB.replace("0.298", '"x"'), "mass 0": JOB.replace("0.29
 
 
 def hostile_files(kind, folder, wanted=lambda what: True):
-    """(what was changed, path) of each whose change is wanted; the path is that of the last one again."""
+    """(description, path) of each selected change; the path is reused."""
     sound, path = KINDS[kind](folder / f"{kind}_sound.h5"), folder / f"{kind}.h5"
     with h5py.File(sound) as file:
         names, groups = [], []

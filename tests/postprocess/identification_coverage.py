@@ -1,4 +1,4 @@
-"""Recordings of random hammers, and how far what is identified is from the truth, in standard errors."""
+"""Recordings of random hammers, and the errors of identified parameters, in standard errors."""
 
 from pathlib import Path
 
@@ -13,12 +13,12 @@ from peterka.identification.recording import Recording
 
 KINDS = (("force",), ("force", "displacement"), ("acceleration",), ("acceleration", "displacement"))
 PER_CONTACT = 30  # samples
-ALLOWED = 5e-4  # chance on either side with which sound intervals are called unsound
+ALLOWED = 5e-4  # two-sided error probability of calling sound intervals unsound
 BIAS = 0.2
 
 
 def sound_rig(chance):
-    """(Hammer, (times, signals)) of one whose release has three impacts at least."""
+    """(Hammer, (times, signals)) of a hammer whose release has at least three impacts."""
     while True:
         hammer = varied(chance)
         rate = PER_CONTACT / (np.pi / np.sqrt(hammer.stiffness / hammer.mass))
@@ -28,7 +28,7 @@ def sound_rig(chance):
 
 
 def pulls_of(hammer, recorded, names, noise, seed):
-    """{key: (found - true)/error}; the words of a refusal."""
+    """{key: (found - true)/error}; or the message of a refusal."""
     time, columns = recorded
     true = {numbers_found.STIFFNESS: hammer.stiffness, numbers_found.DAMPING: hammer.damping, numbers_found.FREQUENCY: hammer.hertz,
             numbers_found.DAMPING_RATIO: hammer.ratio, numbers_found.GAP: hammer.gap}
@@ -40,7 +40,7 @@ def pulls_of(hammer, recorded, names, noise, seed):
 
 
 def coverage_faults(pulls):
-    """([fault in words], what was counted in words) of many {key: pull}."""
+    """([faults in words], counts in words) of many {key: pull}."""
     faults, words = [], []
     for name, width, share in (("68 %", 1.0, 0.6827), ("95 %", 1.96, 0.95)):
         counts = {key: sum(abs(one[key]) < width for one in pulls if key in one) for key in numbers_found.KEYS}

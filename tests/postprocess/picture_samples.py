@@ -1,4 +1,4 @@
-"""Small map and basin files in layout version 3, written without peterka, and the colours seen in a drawn picture."""
+"""Small map and basin files in layout version 3, written without peterka, and the colours visible in a drawn picture."""
 
 import matplotlib.image
 import numpy as np
@@ -126,7 +126,7 @@ def _write_data(group, name, values, coordinates):
 
 
 class Drawn:
-    """A figure written to a PNG file and read back: what the eye sees at a place of the map."""
+    """A figure written to a PNG file and read back: the colours at points of the map."""
 
     def __init__(self, drawn, path):
         figure = drawn if isinstance(drawn, Figure) else figure_of(drawn)
@@ -143,7 +143,7 @@ class Drawn:
         return "#%02X%02X%02X" % tuple(self.pixels[int((1 - up) * height), int(across * width)])
 
     def colour_of(self, file, row, column):
-        """Colour of a cell, near its lower left corner: names and marks are written into the middle."""
+        """Colour of a cell, near its lower left corner, because names and marks are drawn in the middle."""
         return self.colour_at(_inside(file.columns.edges, column), _inside(file.rows.edges, row))
 
     def legend_texts(self):

@@ -1,15 +1,15 @@
-"""Where the texts of a picture stand: what leaves the canvas, and what is written over something else."""
+"""Positions of a picture's texts: which leave the canvas, and which overlap something else."""
 
 import io
 from itertools import combinations
 
 from matplotlib.text import Text
 
-SLACK = 1.0  # pixels: fonts have air around them
+SLACK = 1.0  # pixels: glyphs have padding
 
 
 def drawn_texts(figure, monkeypatch):
-    """(text, box in pixels) of everything that is written when the figure is saved."""
+    """(text, box in pixels) of everything written when the figure is saved."""
     drawn = {}
     draw = Text.draw
 
@@ -20,7 +20,7 @@ def drawn_texts(figure, monkeypatch):
 
     draw_all = type(figure).draw
 
-    def begin_anew(artist, renderer):  # the layout takes a first round, whose places are not the last
+    def begin_anew(artist, renderer):  # the first layout pass yields preliminary positions
         drawn.clear()
         return draw_all(artist, renderer)
 
@@ -32,7 +32,7 @@ def drawn_texts(figure, monkeypatch):
 
 
 def faults_of_layout(figure, monkeypatch):
-    """What a reader would complain of, in words; empty for a sound picture."""
+    """Faults visible to a reader, in words; empty for a sound picture."""
     texts = drawn_texts(figure, monkeypatch)
     canvas = figure.bbox
     faults = [f"{text!r} leaves the canvas by {beyond:.0f} pixels" for text, box in texts

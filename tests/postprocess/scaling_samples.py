@@ -1,4 +1,4 @@
-"""Runs for the tests of scaling: tiles of uneven costs, and map files that tell of them."""
+"""Runs for testing scaling: tiles of uneven cost, and map files that record them."""
 
 import numpy as np
 from peterka.scaling.dealing import Machine

@@ -1,4 +1,4 @@
-"""Sample files are sealed when they are closed, as a stranger would who knows how: what is in them must be judged."""
+"""Sample files are sealed on closing, as a knowledgeable attacker would: their contents themselves must be checked."""
 
 from contextlib import suppress
 from pathlib import Path
@@ -21,7 +21,7 @@ class SealedFile(h5py.File):
 
 
 def seal_file(path):
-    """Writes the seal and the record of bytes; a file that can't have one stays without."""
+    """Writes the seal and the record of bytes; a file that cannot have one remains without."""
     with suppress(*SPOILT):
         write_seal(path)
     with suppress(*SPOILT):
@@ -29,7 +29,7 @@ def seal_file(path):
 
 
 def write_seal(path):
-    """Over the content."""
+    """Seals the contents."""
     with h5py.File(path, "r+") as file:
         group = file.require_group("summary")
         for name, kind in (("finished", np.int8), ("checksum", np.uint64)):
@@ -40,23 +40,23 @@ def write_seal(path):
     with h5py.File(path, "r") as file, open(path, "rb") as raw:
         value = seal.seal_of(file, raw, own_objects.storages(file, path_size(raw)))
     with h5py.File(path, "r+") as file:
-        if file["summary/checksum"].dtype == np.uint64:  # else it is what is wrong with the file
+        if file["summary/checksum"].dtype == np.uint64:  # otherwise the checksum itself is the fault
             file["summary/checksum"][()] = value
 
 
 def write_record(path):
-    """Over all bytes but the record itself, which becomes the end of the file."""
+    """Checksum over all bytes except the record itself, which becomes the end of the file."""
     with h5py.File(path, "r+") as file:
         if "summary/bytes" in file:
             del file["summary/bytes"]
-    with h5py.File(path, "r+") as file:  # opened anew, HDF5 knows of no hole to put it into
+    with h5py.File(path, "r+") as file:  # reopened, HDF5 knows of no hole to place it in
         place = file.create_dataset("summary/bytes", data=no_record()).id.get_offset()
     assert place + raw_bytes.RECORD_SIZE == Path(path).stat().st_size
     renew_record(path)
 
 
 def renew_record(path):
-    """Of a file whose bytes were changed: its ranges stay; where there were none, all but the record itself is summed."""
+    """For a file whose bytes were changed: its ranges stay; without ranges, all but the record itself is summed."""
     with open(path, "r+b") as raw:
         size = path_size(raw)
         place = size - raw_bytes.RECORD_SIZE

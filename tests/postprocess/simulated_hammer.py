@@ -1,4 +1,4 @@
-"""Recordings of a hammer that no code of the project computed: scipy's DOP853 from event to event.
+"""Recordings of a hammer computed independently of the project: scipy's DOP853 from event to event.
 
     m_k (q_k'' + y'') + 2 zeta_k m_k omega_k q_k' + m_k omega_k^2 q_k = -F,   u = sum of q_k,   y'' = -A W^2 sin(W t + phase)
     F = max(0, ki (u - gap) + ci u') beyond the gap, 0 before it
@@ -33,7 +33,7 @@ class Hammer:
 
 
 def simulate(hammer, seconds, rate):
-    """(times [s], {signal: values}) as an ideal logger samples them."""
+    """(times [s], {signal: values}) as sampled by an ideal logger."""
     masses = np.array([hammer.mass, *(mode[0] for mode in hammer.modes)])
     omegas = 2 * np.pi * np.array([hammer.hertz, *(mode[1] for mode in hammer.modes)])
     ratios = np.array([hammer.ratio, *(mode[2] for mode in hammer.modes)])
@@ -79,7 +79,7 @@ def simulate(hammer, seconds, rate):
 
 
 def noisy(columns, names, noise, seed, offset=0.05):
-    """{signal: values} with offset and white noise, both over its largest value."""
+    """{signal: values} with offset and white noise, both relative to its largest value."""
     chance, found = np.random.default_rng(seed), {}
     for name in names:
         largest = np.abs(columns[name]).max()
@@ -88,7 +88,7 @@ def noisy(columns, names, noise, seed, offset=0.05):
 
 
 def write(path, time, columns):
-    """As a CSV file; returns its path."""
+    """Writes a CSV file; returns its path."""
     lines = [",".join(["time_s", *(UNITS[name] for name in columns)])]
     lines += [",".join(f"{value:.10g}" for value in row) for row in zip(time, *columns.values())]
     path.write_text("\n".join(lines) + "\n")
@@ -96,7 +96,7 @@ def write(path, time, columns):
 
 
 def varied(chance):
-    """A Hammer at random: springs of 3 to 40 Hz, contacts of 0.2 to 3 % of a swing, restitution 0.3 to 0.9."""
+    """A random Hammer: springs of 3 to 40 Hz, contacts of 0.2 to 3 % of a swing, restitution 0.3 to 0.9."""
     mass, hertz = np.exp(chance.uniform(np.log(0.1), np.log(3))), np.exp(chance.uniform(np.log(3), np.log(40)))
     share, stop_ratio = np.exp(chance.uniform(np.log(2e-3), np.log(3e-2))), chance.uniform(0.03, 0.35)
     omega = np.pi / (share / hertz)
@@ -107,5 +107,5 @@ def varied(chance):
 
 
 def driven(hammer, amplitude, cart_hertz, **others):
-    """The same Hammer in a cart that moves."""
+    """The same Hammer in a moving cart."""
     return replace(hammer, amplitude=amplitude, cart_hertz=cart_hertz, **others)

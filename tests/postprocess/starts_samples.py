@@ -1,4 +1,4 @@
-"""Maps made by hand get attractors."""
+"""Adds attractors to synthetic maps."""
 
 import h5py
 import numpy as np

@@ -31,7 +31,7 @@ def write_work_precision(path, runs=None, **attributes):
 
 
 def sample_runs(cells=8, seed=3):
-    """Runs that look like real ones: slower where more careful, exact and batched without a setting."""
+    """Realistic runs: slower if more accurate; exact and batched have no setting."""
     spread = 10 ** np.random.default_rng(seed).normal(0, 0.5, cells)
     done = ["done"] * cells
     runs = [("exact", 0, 2e-13 * spread, 1.4e-6 * spread**0.1, done),

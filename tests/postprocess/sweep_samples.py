@@ -1,7 +1,7 @@
 """A small sweep's file in layout version 3, written without peterka: up and down at two gaps.
 
-At gap 0 one z = 1/1 alone, force 20 to 40, its largest at 2.0. At 1.5 z = 1/1 up to a jump to no impact after 1.75 going
-up and, from above, before 1.5 going down; then chaos at the two last points.
+At gap 0 only z = 1/1, force 20 to 40, its largest at 2.0. At 1.5 z = 1/1 up to a jump to no impact after 1.75 going up and,
+from above, before 1.5 going down; then chaos at the two last points.
 """
 
 import numpy as np
@@ -59,7 +59,7 @@ def write_sweep(path, gaps=GAPS, directions=(0, 1), **attributes):
 
 
 def write_sweep_with_starts(path):
-    """The same with two attractors kept: at 1.5 one of force 70 besides, at the first six points."""
+    """The same with two attractors stored: at 1.5 another one of force 70, at the first six points."""
     write_sweep(path)
     with SealedFile(path, "r+") as file:
         force = file["peak_force_ratio"][()]

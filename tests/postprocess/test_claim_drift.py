@@ -1,4 +1,4 @@
-"""Claims of what a drift leaves, at both sides of their limit, on maps with [starts] made by hand."""
+"""Claims on the effect of a drift, on both sides of their limit, on synthetic maps with [starts]."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ COLUMNS, MIDDLE = len(HERTZ), 4
 
 
 def write(folder, forces, quiet=0.0, rigs=("170mm", "150mm", "135mm")):
-    """forces: of each gap [N], (gaps, columns); a share of the starts at higher gaps ends without impacts."""
+    """forces: for each gap [N], (gaps, columns); a share of the starts at larger gaps ends without impacts."""
     forces = np.array(forces, dtype=float) * NEWTON
     first = [[ONE] * COLUMNS for _ in forces]
     second = [[EMPTY if row == 0 or quiet == 0 else NO_IMPACT] * COLUMNS for row in range(len(forces))]
@@ -29,7 +29,7 @@ def write(folder, forces, quiet=0.0, rigs=("170mm", "150mm", "135mm")):
 
 
 def slope(at_drift):
-    """100 N in the middle, so much half a hertz away."""
+    """100 N in the middle, this fraction of it half a hertz away."""
     away = np.abs(np.arange(COLUMNS) - MIDDLE) / 2
     return 100 - away * (100 - at_drift)
 

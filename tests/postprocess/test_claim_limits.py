@@ -1,4 +1,4 @@
-"""Limits of bands from curves: the exact ones where a curve of this rig bounds the orbit there, else those of the cells."""
+"""Limits of bands from curves: exact where a curve of this rig bounds the orbit, otherwise those of the cells."""
 
 import numpy as np
 import pytest

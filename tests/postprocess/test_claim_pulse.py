@@ -1,4 +1,4 @@
-"""Single impacts, each verdict at both sides of its limit: the stop told from one of them, and the peaks of spectra."""
+"""Single impacts, each verdict on both sides of its limit: the stop identified from one of them, and the peaks of spectra."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ STEPS = 200.0 * np.arange(50)  # Hz
 
 
 def claims(folder, restitution=0.3169, contact_s=0.5708e-3, touch=JUMP, **spectra):
-    """On two traces that are alike; `touch`: force at first touch in weights; `spectra`: columns of the impact's."""
+    """With two identical traces; `touch`: force at first touch in weights; `spectra`: columns of the impact's."""
     for name in (pulse.RELEASE, pulse.STRONGEST):
         path = write_trace(folder / f"{name}.h5", job=JOB)
         with SealedFile(path, "r+") as file:
@@ -31,7 +31,7 @@ def strikes(folder, **changes):
 
 
 def with_peaks(*hertz, lowest=0.9):
-    """A falling spectrum in steps of 200 Hz, but for its peaks; the last of them as high as `lowest`."""
+    """A decreasing spectrum in steps of 200 Hz with added peaks, the last of height `lowest`."""
     values = 1 / (1 + np.arange(50.0))
     values[[hz // 200 for hz in hertz]] = 0.9
     values[hertz[-1] // 200] = lowest

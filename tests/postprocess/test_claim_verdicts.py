@@ -1,4 +1,4 @@
-"""Each verdict at both sides of its limit, on planes that can be overlooked; nothing falls over where a band is missing."""
+"""Each verdict on both sides of its limit, on simple planes; a missing band causes no failure."""
 
 import numpy as np
 import pytest
@@ -98,7 +98,7 @@ def test_a_band_that_is_missing_differs():
 
 
 def region(depend, gaps=(1.3, 1.5, 1.7)):
-    """Two starts; so many of ten cells between the bands depend on them at each gap, and all beyond."""
+    """Two starts; at each gap, this many of ten cells between the bands depend on them, and all beyond."""
     rest = [[ONE] * 10 + [QUIET] * 10 + [HALF] * 10] * len(gaps)
     other = [[ONE] * 10 + [HALF] * count + [QUIET] * (10 - count) + [QUIET] * 10 for count in depend]
     folder = Held(**{"starts/start_1": plane(rest, rows=gaps), "starts/start_2": plane(other, rows=gaps)})
@@ -185,7 +185,7 @@ def test_maps_of_springs_that_differ_between_the_bands_or_elsewhere(tmp_path):
 
 
 def sweeps(folder, natural=(4.5, 4.5, 4.5), **changes):
-    """Sweeps of the three rigs at 0, 1 and 3 mm, alike but for their natural frequencies."""
+    """Sweeps of the three rigs at 0, 1 and 3 mm, identical except for their natural frequencies."""
     for name, hertz in zip(jumps.FILES.values(), natural):
         write_sweep(folder / f"{name}.h5", gaps=(0.0, MILLIMETRE, 3 * MILLIMETRE), natural_frequency_hz=hertz, **changes)
     return folder
@@ -200,7 +200,7 @@ def change(path, name, branches, value):
 def test_jumps_and_hysteresis(tmp_path):
     found = verdicts(jumps.claims(Folder(sweeps(tmp_path))))
     assert (found["jump_3mm"], found["jump_1mm"], found["no_jump_0mm"]) == (AGREES, AGREES, AGREES)
-    assert found["stiffness_raises_resonance"] == DIFFERS  # all rigs are alike
+    assert found["stiffness_raises_resonance"] == DIFFERS  # all rigs are identical
     path = tmp_path / "sweep_170mm.h5"
     change(path, "jump", [2, 3, 4], 0)  # both of 1 mm, and one of 3 mm
     change(path, "jump", [0], [0] * 12 + [1])
@@ -228,10 +228,10 @@ def test_a_hysteresis_is_wider_than_the_steps_of_the_paper(tmp_path, natural, ag
 
 
 @pytest.mark.parametrize("peaks, agrees", [
-    ((2.0, 1.75, 1.75), True), ((2.0, 2.0, 2.0), False), ((1.875, 1.75, 1.75), False),  # moved much
+    ((2.0, 1.75, 1.75), True), ((2.0, 2.0, 2.0), False), ((1.875, 1.75, 1.75), False),  # moved a lot
     ((2.0, 1.75, 1.125), True), ((2.0, 1.75, 1.0), False), ((1.125, 0.875, 0.75), True), ((1.25, 1.0, 0.75), False)])
 def test_gaps_move_the_resonance_away_from_the_natural_frequency(tmp_path, peaks, agrees):
-    """`peaks`: where the force is largest at 0, 1 and 3 mm, in natural frequencies."""
+    """`peaks`: location of the largest force at 0, 1 and 3 mm, in natural frequencies."""
     path, frequency = sweeps(tmp_path) / "sweep_170mm.h5", FREQUENCY - 0.5
     change(path, "frequency_ratio", [...], frequency)
     for branch, peak in zip((0, 2, 4), peaks):

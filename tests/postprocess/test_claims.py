@@ -1,4 +1,4 @@
-"""The claims report: how claims are told, in Markdown and HTML, and the arithmetic behind them."""
+"""The claims report: presentation of claims, in Markdown and HTML, and the underlying arithmetic."""
 
 import os
 import subprocess
@@ -96,7 +96,7 @@ def test_the_row_from_which_all_reach_a_limit():
 def test_what_lies_between_the_bands():
     rows = [[ONE] * 3 + [CHAOS] * 2 + [HALF] * 3, [ONE] * 2 + [QUIET] * 6, [QUIET] * 8]
     lower, between, beyond = spans.around_bands(plane(rows))
-    assert lower.sum(axis=1).tolist() == [3, 2, 2]  # the last row takes the limits of the one before
+    assert lower.sum(axis=1).tolist() == [3, 2, 2]  # the last row takes the limits of the previous one
     assert between.sum(axis=1).tolist() == [2, 3, 3] and beyond.sum(axis=1).tolist() == [3, 3, 3]
     assert (lower.astype(int) + between + beyond == 1).all()
 
@@ -112,7 +112,7 @@ def test_jumps_of_a_sweep(tmp_path):
     weight = 0.298 * 9.80665
     assert sweep.resonance(0) == pytest.approx((9.0, 40 * weight))
     assert sweep.end_of_band(0, "up") is None and sweep.end_of_band(0, "down") is None
-    assert sweep.end_of_band(1.3, "up") == pytest.approx((1.8125 * 4.5, 60 * weight, 0))  # chaos above doesn't count
+    assert sweep.end_of_band(1.3, "up") == pytest.approx((1.8125 * 4.5, 60 * weight, 0))  # chaos above does not count
     assert sweep.end_of_band(1.3, "down") == pytest.approx((1.5625 * 4.5, 50 * weight, 0))
     assert sweep.resonance(1.3, "up")[0] == pytest.approx(1.75 * 4.5)
     assert sweep.resonance(1.3, "down")[0] == pytest.approx(1.5 * 4.5)

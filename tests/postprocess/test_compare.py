@@ -1,4 +1,4 @@
-"""Two files cell by cell: numbers that can be counted by hand, the picture's colours, and what is refused."""
+"""Cell-by-cell comparison of two files: numbers that can be counted by hand, the picture's colours, and refusals."""
 
 import h5py
 import matplotlib.image
@@ -29,7 +29,7 @@ def changed(cells, **changes):
 
 @pytest.fixture
 def pair(tmp_path):
-    """A map, and one with another regime, another z, a missing cell, and forces off by 5 % and 50 %."""
+    """A map, and one with a different regime, a different z, a missing cell, and forces off by 5 % and 50 %."""
     forces = np.array(FORCES)
     forces[0, 0], forces[0, 1] = 10.5, 20
     other = changed(PLAIN, r3c3=CHAOTIC, r0c2=orbit(1, 1), r3c0=MISSING)
@@ -47,7 +47,7 @@ def test_counts_moves_and_forces(pair):
 
 
 def test_forces_have_a_sign_and_no_median_is_taken_out(tmp_path):
-    """A force that is 29 % lower is neither the same nor just different."""
+    """A force 29 % lower is neither the same nor merely different."""
     first = write_map(tmp_path / "a.h5", PLAIN, forces=FORCES)
     second = write_map(tmp_path / "b.h5", PLAIN, forces=0.71 * np.array(FORCES))
     with PeterkaFile(first) as a, PeterkaFile(second) as b:
@@ -114,7 +114,7 @@ def test_a_coarser_grid_is_compared_where_its_points_are_the_others(tmp_path, ru
         assert "compared at the 5 by 5 points that both have: A has " in told
         assert "25 cells that both files hold" in told and "24    96.000 %" in told
     shifted = np.linspace(1, 4, 5)
-    shifted[1:4] += 0.01  # two points, the ends, are those of the other
+    shifted[1:4] += 0.01  # two points, the ends, coincide with those of the other
     write_map(tmp_path / "shifted.h5", cells(coarse), shifted, np.linspace(0, 3, 5))
     assert "10 cells that both files hold" in run_compare("fine.h5", "shifted.h5")[1]
 

@@ -1,4 +1,4 @@
-"""export.py: what other programs read is what the file holds, in N, Hz and mm."""
+"""export.py: what other programs read equals the file's contents, in N, Hz and mm."""
 
 import csv
 
@@ -21,7 +21,7 @@ def sample(tmp_path):
 
 
 def read_vtk(path):
-    """A legacy file by its own definition: {name: array}, coordinates X, Y, Z among them."""
+    """Parses a legacy file by its specification: {name: array}, coordinates X, Y, Z among them."""
     data, at, found = path.read_bytes(), 0, {}
 
     def line():
@@ -101,7 +101,7 @@ def test_a_basin_has_its_own_axes(tmp_path, run_program):
         first = next(csv.DictReader(text))
     assert float(first["displacement_mm"]) == pytest.approx(-3 * MILLIMETRES) and first["attractor"] == "0"
     assert float(first["velocity_m_s"]) == pytest.approx(-6 * 2 * np.pi * 4.5 * 0.89e-3)
-    assert "peak_force_ratio" in first  # of a hammer whose mass nobody tells
+    assert "peak_force_ratio" in first  # of a hammer of unknown mass
 
 
 def test_what_the_file_doesnt_tell_stays_a_ratio(tmp_path, run_program):
@@ -114,7 +114,7 @@ def test_what_the_file_doesnt_tell_stays_a_ratio(tmp_path, run_program):
 def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):
     code, _, err = run_program("export", write_sweep(tmp_path / "s.h5"), sample)
     assert code == 2 and "is a sweep; the cells of maps, basins and curves are exported" in err and err.count("\n") == 1
-    assert (tmp_path / "a.csv").exists()  # the others are
+    assert (tmp_path / "a.csv").exists()  # the other formats are written
     assert run_program("export", sample, "--as", "xls")[0] == 2
     (tmp_path / "file").write_text("")
     assert run_program("export", sample, "--output-dir", "file")[0] == 3
@@ -129,7 +129,7 @@ def test_draw_exports_the_same(sample, tmp_path, run_program, draw):
 
 
 def test_names_that_the_layout_does_not_have_stay_out(tmp_path, run_program):
-    """Neither a formula as a column, nor a line of its own in VTK, nor a twin of a field that is computed."""
+    """Neither a formula as a column, nor a separate line in VTK, nor a duplicate of a computed field."""
     strange = ["=cmd|' /C calc'!A1", "a\nSCALARS b", "peak_force_n", "frequency_hz", "title", "\u202elong", "Upper"]
     fields = {name: np.full((4, 6), 17.0) for name in strange}
     path = write_map(tmp_path / "a.h5", ALL_CLASSES, fields=fields | {"other": np.ones((4, 6))})

@@ -1,4 +1,4 @@
-"""What a journal asks of pictures: a column's width, greys that are told apart, units, parts, formats."""
+"""Journal requirements for pictures: a column's width, distinguishable greys, units, parts, formats."""
 
 from itertools import combinations
 
@@ -17,13 +17,13 @@ from sweep_samples import write_sweep
 from trace_samples import write_trace
 
 COLUMN = 84  # mm
-APART = 12  # of lightness: two greys that are told apart in print, side by side or not
+APART = 12  # in lightness: two greys distinguishable in print, adjacent or not
 BLOCKS = np.repeat(np.repeat(np.array(ALL_CLASSES), 12, axis=0), 12, axis=1)
 FIELDS = {name: np.outer(1 + np.arange(4.0), 1 + np.arange(4.0)) for name in ("impact_speed", "max_displacement")}
 
 
 def look_of(pixels):
-    """(median lightness, share of pixels that are far from it): a plain grey has no such pixels, a hatched one has."""
+    """(median lightness, share of pixels far from it): zero for a plain grey, positive for a hatched one."""
     light = np.array([lightness("#" + 3 * f"{value:02X}")
                       for value in pixels.ravel()])
     middle = np.median(light)
@@ -47,7 +47,7 @@ def test_what_looked_the_same_in_grey_does_not_any_more(tmp_path):
             (left, bottom), (right, top) = drawn.map_axes.transData.transform(np.column_stack([x, y]))
             height = drawn.pixels.shape[0]
             area = drawn.pixels[int(height - top):int(height - bottom), int(left):int(right), 0]
-            edge = area[: area.shape[0] // 4]  # the name of a class stands in the middle
+            edge = area[: area.shape[0] // 4]  # the name of a class is in the middle
             looks[label] = look_of(edge[::3, ::3])
     for (first, one), (second, other) in combinations(looks.items(), 2):
         assert abs(one[0] - other[0]) >= APART or abs(one[1] - other[1]) >= 0.1, f"{first} {one}, {second} {other}"
@@ -81,7 +81,7 @@ def test_every_picture_fits_a_column(tmp_path, monkeypatch, palette, units):
             for name, draw in pictures_of(file).items():
                 figure = figure_of(draw(file, width=COLUMN, palette=palette, units=units))
                 assert figure.get_figwidth() * 25.4 == pytest.approx(COLUMN)
-                if file.kind == "sweep":  # two columns wide: a panel's notes want that room
+                if file.kind == "sweep":  # two columns wide: a panel's notes need the space
                     continue
                 faults = faults_of_layout(figure, monkeypatch)
                 assert not faults, f"{path.stem} {name}:\n" + "\n".join(faults)
@@ -146,7 +146,7 @@ def test_a_title_is_left_out_where_the_caption_says_it(tmp_path):
 
 
 def test_a_figure_outside_any_style_is_refused():
-    """Its letters would have matplotlib's own sizes, which nobody notices in a test of numbers."""
+    """Its fonts would have matplotlib's own sizes, which tests of numbers would not notice."""
     with pytest.raises(RuntimeError, match="@style.using"):
         figures.new_figure(3, 3)
     with style.using(dpi=100):

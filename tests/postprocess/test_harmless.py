@@ -1,4 +1,4 @@
-"""Strangers' text on terminals, pictures and pages, and output that can't be printed."""
+"""Untrusted text on terminals, pictures and pages, and output that cannot be printed."""
 
 import subprocess
 import sys

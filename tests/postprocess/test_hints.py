@@ -1,5 +1,5 @@
-"""Every public function, method and class of postprocess says what goes in, what comes out, and what it is for; that hints
-are true is what mypy finds (tests/style.sh)."""
+"""Every public function, method and class of postprocess documents its arguments, its result and its purpose; mypy checks
+that type annotations are correct (tests/style.sh)."""
 
 import ast
 from pathlib import Path
@@ -21,7 +21,7 @@ def is_public(name):
 
 
 def faults(node, within=""):
-    """Words on what the public functions and classes of a module or class lack."""
+    """What the public functions and classes of a module or class lack, in words."""
     is_protocol = isinstance(node, ast.ClassDef) and any(isinstance(base, ast.Name) and base.id == "Protocol" for base in node.bases)
     found = []
     for child in node.body:

@@ -1,6 +1,6 @@
-"""Files that are sound HDF5 and hold what nobody computes: one line and exit code 2 or 3, or a picture, and never a trace.
+"""Files that are valid HDF5 with impossible contents: one line and exit code 2 or 3, or a picture, and never a traceback.
 
-tests/endurance/hostile_files.py tries every change of every file with every program; here are the known ones.
+tests/endurance/hostile_files.py tests every change of every file with every program; here are the known cases.
 """
 
 import re

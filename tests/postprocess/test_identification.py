@@ -1,4 +1,4 @@
-"""identify.py: closed forms against brute force, honest errors, words for recordings that don't tell."""
+"""identify.py: closed forms against brute force, calibrated errors, messages for insufficient recordings."""
 
 import os
 import subprocess
@@ -21,7 +21,7 @@ RATE = 51200.0
 
 @cache
 def brute_force():
-    """A release 5 mm away from a stop at 0, in steps of 1/16 sample: time, force, acceleration, displacement, at the rate."""
+    """A release 5 mm from a stop at 0, in steps of 1/16 sample: time, force, acceleration, displacement, at the logger's rate."""
     fine, step = 16, 1 / (16 * RATE)
     x, v, rows = -0.005, 0.0, []
 
@@ -39,7 +39,7 @@ def brute_force():
 
 
 def noise_of(seed, values, likeness):
-    """Of unit size and white, but that in contact neighbours are alike: `likeness` is their correlation."""
+    """Unit white noise, except that neighbours in contact are correlated: `likeness` is their correlation."""
     white = np.random.default_rng(seed).standard_normal(len(values))
     alike = white.copy()
     for n in np.flatnonzero(values > 0) if likeness else ():
@@ -82,7 +82,7 @@ def test_an_elastic_stop_has_no_damping():
 
 
 def test_errors_are_those_of_repetition(tmp_path):
-    """Of recordings that differ by their noise alone, numbers scatter as their errors say."""
+    """Over recordings that differ only in their noise, the estimates scatter as their errors state."""
     pulls = []
     for seed in range(10):
         recording = read_recording(write(tmp_path / "a.csv", noise=0.01, seed=seed), None, None)
@@ -94,7 +94,7 @@ def test_errors_are_those_of_repetition(tmp_path):
 
 
 def test_errors_of_noise_whose_neighbours_are_alike_are_those_of_repetition(tmp_path):
-    """As what a model leaves over is. White noise as large would move the numbers by half as much."""
+    """As left by an imperfect model. White noise of the same size would change the estimates by half as much."""
     pulls = []
     for seed in range(6):
         recording = read_recording(write(tmp_path / "a.csv", noise=0.01, seed=seed, likeness=0.8), None, None)
@@ -183,7 +183,7 @@ def test_bad_arguments(run_program, arguments, reason):
 
 
 def test_what_never_ends_is_no_recording():
-    """Two gigabytes are a bound on memory that /dev/zero must not reach."""
+    """Two gigabytes bound the memory, which /dev/zero must not exhaust."""
     code = "import resource, sys; resource.setrlimit(resource.RLIMIT_AS, (2**31, 2**31)); import identify; sys.exit(identify.main())"
     for option in ([], ["--driven"]):
         done = subprocess.run([sys.executable, "-c", code, *option, "/dev/zero", "--mass-kg", "0.298"], cwd=POSTPROCESS,

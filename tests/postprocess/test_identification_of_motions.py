@@ -1,5 +1,5 @@
-"""identify.py on recordings that scipy's DOP853 computed: the gap is fitted or a wrong one refused, driven impacts are unbiased, errors are
-those of repetition."""
+"""identify.py on recordings computed by scipy's DOP853: the gap is fitted or a wrong one refused, driven impacts are
+unbiased, errors agree with the scatter of repetitions."""
 
 import re
 import tomllib
@@ -69,7 +69,7 @@ def test_springs_and_cart_act_during_driven_impacts(tmp_path, run_program):
 
 
 def test_errors_are_those_of_repetition():
-    """A few of what tests/endurance.sh identification does by the hundred."""
+    """A few of the hundreds of cases of tests/endurance.sh identification."""
     pulls = [pulls_of(HAMMER, release(), names, noise, seed) for seed, (names, noise) in enumerate(
         [(("force",), 0.01), (("force", "displacement"), 0.03), (("acceleration",), 0.002)] * 2)]
     assert not [one for one in pulls if isinstance(one, str)], pulls
@@ -79,7 +79,8 @@ def test_errors_are_those_of_repetition():
 
 
 def test_slopes_resolve_what_parameters_make_up_for():
-    """Two parameters whose sum alone is well told, by residuals with some digits: forward differences lose the difference's error."""
+    """Two parameters of which only the sum is well determined, by residuals
+    of limited accuracy: forward differences lose the error of the difference."""
     true = 1e3 * np.array([[1.0, 1.0], [1.0, 1.0 + 1e-4]])
 
     def left(chosen):

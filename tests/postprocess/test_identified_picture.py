@@ -1,4 +1,4 @@
-"""The picture of a recording and what was fitted to it: all that is written stands on the canvas, and over nothing else."""
+"""The picture of a recording and its fit: all text lies on the canvas and overlaps nothing."""
 
 from types import SimpleNamespace
 
@@ -11,7 +11,7 @@ LARGEST = {"force": 700.0, "acceleration": 2300.0, "displacement": 4.9e-3}
 
 
 def fit(names, begin):
-    """A Fit of a second at 1 kHz that begins at some time and strikes in its middle."""
+    """A Fit of one second at 1 kHz that begins at some time and has an impact in its middle."""
     def model(time):
         return {name: LARGEST[name] * np.exp(-np.square((time - 0.5) / 2e-3)) for name in names}
 

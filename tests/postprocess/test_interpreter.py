@@ -1,5 +1,5 @@
-"""Programs started by a Python without the packages, as pyenv's or conda's often is, find the system's, or say in one line
-what is missing."""
+"""Programs started by a Python without the packages, as pyenv's or conda's
+often is, find the system's, or report in one line what is missing."""
 
 import os
 import subprocess
@@ -15,7 +15,7 @@ PROGRAMS = sorted(path.name for path in POSTPROCESS.glob("*.py"))
 
 @pytest.fixture
 def bare_python(tmp_path):
-    """An interpreter of its own, with the standard library alone."""
+    """A separate interpreter with only the standard library."""
     home = tmp_path / "bare"
     (home / "bin").mkdir(parents=True)
     (home / "pyvenv.cfg").write_text(
@@ -40,14 +40,14 @@ def test_the_system_s_python_goes_on(tmp_path, bare_python):
 
 
 def test_a_program_on_the_path_goes_on(tmp_path, bare_python):
-    """As a user starts it: by its first line, which takes python3 from the PATH."""
+    """As a user starts it: by its shebang, which takes python3 from the PATH."""
     done = run(tmp_path, POSTPROCESS / "draw.py", "no.h5", PATH=f"{bare_python.parent}:{os.environ['PATH']}")
     assert done.returncode == 2 and done.stderr.startswith("draw.py: no.h5")
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_one_line_says_what_no_python_has(tmp_path, bare_python, program):
-    """Neither interpreter can import h5py: the PYTHONPATH has one that doesn't load."""
+    """Neither interpreter can import h5py: the PYTHONPATH has one that fails to load."""
     (tmp_path / "h5py.py").write_text("raise ImportError('libhdf5.so is missing')\n", encoding="utf-8")
     done = run(tmp_path, bare_python, POSTPROCESS / program, "--help", PYTHONPATH=str(tmp_path))
     assert (done.returncode, done.stdout) == (2, "")

@@ -1,4 +1,4 @@
-"""The notebook's cells, run one after the other as a kernel would (jupyter itself is no package of the tests)."""
+"""The notebook's cells, run in order as a kernel would (jupyter itself is not a test dependency)."""
 
 import ast
 import json
@@ -12,7 +12,7 @@ NOTEBOOK = POSTPROCESS / "examples" / "peterka.ipynb"
 
 @pytest.fixture(scope="module")
 def ran():
-    """(names of the notebook, what each code cell shows)"""
+    """(names of the notebook, output of each code cell)"""
     names, shown = {}, []
     for cell in json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"]:
         if cell["cell_type"] != "code":
@@ -31,7 +31,7 @@ def test_it_takes_ten_cells_and_shows_its_pictures(ran):
 
 
 def test_its_operating_point_is_one_by_brute_force(ran):
-    """All 25 cells around are z = 1/1, and no other such place has a larger weakest force."""
+    """All 25 surrounding cells are z = 1/1, and no other such place has a larger smallest force."""
     names, _ = ran
     cells = names["cells"]
     label = ((cells.regime == 1) & (cells.impacts == 1) & (cells.period == 1)).values

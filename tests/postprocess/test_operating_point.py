@@ -1,4 +1,4 @@
-"""operating_point.py on maps made by hand: the worst over box and starts against plain loops, and what is refused."""
+"""operating_point.py on synthetic maps: the worst case over box and starts against plain loops, and refusals."""
 
 import math
 import re
@@ -58,7 +58,7 @@ def plain(file, made, starts, hz, mm):
         if (min(gaps[i] - mm - gaps[0], gaps[-1] - gaps[i] - mm) < -1e-9
                 or min(frequencies[j] - hz - frequencies[0], frequencies[-1] - frequencies[j] - hz) < -1e-9):
             continue
-        # the nearest cell beyond the drift belongs to the box where the drift doesn't end on a cell
+        # if the drift does not end on a cell, the nearest cell beyond it belongs to the box
         rows = range(np.flatnonzero(gaps <= gaps[i] - mm + 1e-9)[-1], np.flatnonzero(gaps >= gaps[i] + mm - 1e-9)[0] + 1)
         columns = range(np.flatnonzero(frequencies <= frequencies[j] - hz + 1e-9)[-1],
                         np.flatnonzero(frequencies >= frequencies[j] + hz - 1e-9)[0] + 1)
@@ -85,7 +85,7 @@ def plain(file, made, starts, hz, mm):
 
 
 def swings_free(ratio, width, gap):
-    """Anywhere between both frequencies, by looking at many of them."""
+    """Anywhere between both frequencies, by dense sampling."""
     eta = np.linspace(ratio - width, ratio + width, 2001)
     return np.min(eta**2 / np.abs(1 - eta**2 + 2j * ZETA * eta)) < gap
 
@@ -102,7 +102,7 @@ def test_the_worst_is_that_of_plain_loops(tmp_path, starts, hz, mm, log):
         if starts == "any":
             worst = np.where(told.may_stay_free(file, *reaches), np.nan, worst)
         expected = plain(file, made, starts, hz, mm)
-        if starts != "any" or hz < 1.3:  # few places are left by all that is known
+        if starts != "any" or hz < 1.3:  # few places remain, given all known motions
             assert np.isfinite(expected).sum() > (0 if hz > 1.3 else 2 if starts == "any" else 5)
         np.testing.assert_allclose(worst, expected)
 
@@ -120,7 +120,7 @@ def test_the_own_start_on_another_motion_spoils_any_but_no_share(tmp_path):
 
 
 def one_label(path, frequency_ratio, gap_ratio, known=None):
-    """A map all of 1/1, from each of 20 starts; `known` (row, column, label): what is known besides."""
+    """A map of 1/1 only, from each of 20 starts; `known` (row, column, label): further known motions."""
     shape = len(gap_ratio), len(frequency_ratio)
     cells = np.broadcast_to(ONE, (*shape, 3))
     second = np.broadcast_to(EMPTY, (*shape, 3)).copy()
@@ -141,7 +141,7 @@ def test_what_is_known_without_a_start_forbids_any_but_no_share(tmp_path, label,
 
 
 def test_a_motion_without_impact_counts_between_the_cells(tmp_path, run_program):
-    """Its amplitude at Omega/omega 2.5 is 1.19: no cell at a gap of 1.1 has it, a box that reaches 1.2 does."""
+    """Its amplitude at Omega/omega 2.5 is 1.19: no cell at a gap of 1.1 has it, a box extending to 1.2 does."""
     path = one_label(tmp_path / "a.h5", np.linspace(2.4, 2.6, 5), np.linspace(0.7, 1.5, 5))
     with PeterkaFile(path) as file:
         for mm, free in ((0.05 * 0.89, [0, 0, 0, 1, 1]), (0.11 * 0.89, [0, 0, 1, 1, 1])):
@@ -158,7 +158,7 @@ def test_a_motion_without_impact_counts_between_the_cells(tmp_path, run_program)
     ("hammer.mass_kg", {"hammer_mass_kg": 0.298}), ("frequency_hz", {"frequency_hz": 9.0}), ("gap_m", {"gap_m": 0.89e-3}),
     ("cart.amplitude_m", {"cart_amplitude_m": 0.89e-3}), ("hammer.damping_ratio", {"hammer_damping_ratio": ZETA})])
 def test_a_free_swing_is_the_same_by_any_numbers(name, coordinates):
-    """2 x the natural frequency and a gap of A0, told by the job or by an axis."""
+    """2 x the natural frequency and a gap of A0, given by the job or by an axis."""
     tables = job_numbers.tables_of(JOB + "operating_point = { frequency_ratio = 2.0, gap_ratio = 1.0 }\n")
     swing = job_numbers.swing_of(tables, coordinates)
     assert (swing.frequency_ratio, swing.damping_ratio, swing.gap_ratio) == pytest.approx((2, ZETA, 1)), name
@@ -239,7 +239,7 @@ def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
     (ONE, 1.0, r"holds in all 289 cells of the finer box: the worst has [12]\d\d(\.\d)? N"),
 ])
 def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, label, force, words):
-    """Maps that claim of the paper's rig, between 6.75 and 11.25 Hz, what isn't so, and what is."""
+    """Maps with false and true claims about the paper's rig, between 6.75 and 11.25 Hz."""
     path = write_map(tmp_path / "a.h5", [[label] * 6] * 5, frequency_ratio=np.linspace(1.5, 2.5, 6),
                      gap_ratio=np.linspace(0.2, 1.0, 5), forces=np.full((5, 6), force), job=JOB)
     code, out, err = run_program("operating_point", path, "--hz", 0.9, "--mm", 0.178, "--verify", "--formats", "png")
@@ -247,7 +247,7 @@ def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, 
 
 
 def test_the_label_of_the_best_place_covers_no_other_box(tmp_path):
-    """One whose box, not its number, reaches where the label stands without it."""
+    """One whose box extends, though its number does not, to where the label is alone."""
     shape = 13, 13
     write_map(tmp_path / "a.h5", np.full((*shape, 3), 1), frequency_ratio=np.linspace(1, 4, 13), gap_ratio=np.linspace(0, 3, 13))
 

@@ -1,5 +1,5 @@
-"""What pages of sweeps and curves hold, before any browser shows it: tracks, where their motions are found, and curves with their
-orbits."""
+"""Contents of pages of sweeps and curves before a browser shows them:
+tracks, the states of their motions, and curves with their orbits."""
 
 import base64
 import json
@@ -40,7 +40,7 @@ def with_velocities(path):
 
 
 def content_of(path, asked=None):
-    """(content, numbers(packed of reals)) of the page of a file."""
+    """(content, numbers(packed reals)) of the page of a file."""
     with open_file(path) as file:
         text, _ = page_module.page(file, 1, asked)
     content = json.loads(re.search(r'id="content">(.*?)</script>', text, re.DOTALL).group(1))
@@ -73,7 +73,7 @@ def test_each_point_has_where_its_motion_is(tmp_path):
     np.testing.assert_array_equal(v, 2 * u)
     with h5py.File(tmp_path / "sweep.h5") as file:
         np.testing.assert_array_equal(u[:4], file["stroboscopic_displacement"][..., 0])
-    np.testing.assert_array_equal(u[7], [-9] * 6 + [np.nan] * (POINTS - 6))  # its sample stands behind the other's
+    np.testing.assert_array_equal(u[7], [-9] * 6 + [np.nan] * (POINTS - 6))  # its sample follows the other's
 
 
 def test_an_attractor_without_samples_has_its_orbit(tmp_path):
@@ -101,7 +101,7 @@ def test_curves_have_their_points_and_orbits(tmp_path):
     path = write_curves(tmp_path / "curves.h5")
     count = sum(len(points) for *_, points in LINES)
     content, numbers = content_of(path)
-    assert content["curves"]["has_orbits"] is False  # as files of older versions
+    assert content["curves"]["has_orbits"] is False  # as in files of older versions
     with SealedFile(path, "r+") as file:
         for n, name in enumerate(("multiplier", "peak_force_ratio", "orbit_displacement", "orbit_velocity")):
             file[f"point_{name}"] = n + np.arange(count) / 10

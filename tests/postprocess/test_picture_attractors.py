@@ -1,4 +1,4 @@
-"""Pictures of maps with [starts]: how many attractors, which is likeliest, shares and kicks, in the cells where they belong."""
+"""Pictures of maps with [starts]: number of attractors, the most frequent one, shares and kicks, in the cells where they belong."""
 
 import numpy as np
 import pytest
@@ -111,10 +111,10 @@ def test_a_share_that_is_none_is_refused(tmp_path):
 
 
 def test_what_is_known_without_a_start_counts(tmp_path):
-    """A cell whose starts all end on one orbit, and of which another is known, is none with one motion alone."""
+    """A cell whose starts all end on one orbit, but with another known motion, does not count as having one motion only."""
     path = write_attractors(tmp_path / "a.h5")
     with SealedFile(path, "r+") as file:
-        place = 1, 1, 1  # beside the one attractor of the middle cell
+        place = 1, 1, 1  # besides the single attractor of the middle cell
         file["attractor_regime"][place], file["attractor_impacts"][place], file["attractor_period"][place] = orbit(1, 2)
     with PeterkaFile(path) as file:
         number = Drawn(attractor_maps.draw_number(file), tmp_path / "number.png")

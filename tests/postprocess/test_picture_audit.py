@@ -1,4 +1,4 @@
-"""The audit of a map: rings at other labels, the distribution of force errors, refused nonsense."""
+"""The audit of a map: rings at differing labels, the distribution of force errors, refusal of invalid data."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Files that cannot be drawn: exit code 2, one clear line, no picture, whatever a stranger puts into them."""
+"""Files that cannot be drawn: exit code 2, one clear line, no picture, whatever untrusted contents they have."""
 
 import os
 import struct
@@ -69,7 +69,7 @@ def huge_chunk(path):
 
 
 def huge_plane(path):
-    """A small file that says it holds 65536 x 65536 cells."""
+    """A small file that claims to have 65536 x 65536 cells."""
     with SealedFile(path, "w") as file:
         file.attrs.update(peterka_layout=np.int32(3), peterka_kind="map")
         for name in ("gap_ratio", "frequency_ratio"):
@@ -80,14 +80,14 @@ def huge_plane(path):
 
 
 def huge_text(path):
-    """A text of 2 GB that nobody has written, and that only readers of texts would look at."""
+    """A text of 2 GB that was never written, and that only readers of texts would access."""
     with SealedFile(path, "r+") as file:
         file.create_dataset("summary/omitted_for_long", (), "S2147483647")
     return path
 
 
 def long_attribute(path):
-    """A title that says it is 4 GB long: HDF5 takes as much memory before it looks."""
+    """A title with a claimed length of 4 GB: HDF5 allocates that much unchecked."""
     content = bytearray(path.read_bytes())
     at = content.index(struct.pack("<IQ", len("Sample"), content.index(b"GCOL")))
     content[at : at + 4] = struct.pack("<I", 0xFFFFFFF0)
@@ -96,7 +96,7 @@ def long_attribute(path):
 
 
 def one_storage_twice(path):
-    """Two datasets with one storage: their addresses in the file are made equal."""
+    """Two datasets sharing one storage: their addresses in the file are made equal."""
     with h5py.File(path) as file:
         of = {name: file[name].id.get_offset().to_bytes(8, "little") for name in ("impacts", "period")}
     content = path.read_bytes()
@@ -149,7 +149,7 @@ def pipe(path):
 
 
 def unnamed_coordinate(path):
-    """What is attached to it still refers to it."""
+    """Scales attached to it still refer to it."""
     with h5py.File(path, "r+") as file:
         del file["attractors/attractor"]
     renew_record(path)

@@ -1,4 +1,4 @@
-"""Basin maps: colours by attractor and by impact, the legend, and where attractors are marked."""
+"""Basin maps: colours by attractor and by impact, the legend, and the marks of attractors."""
 
 import numpy as np
 import pytest
@@ -69,7 +69,7 @@ def test_two_attractors_of_a_class_never_read_the_same(tmp_path):
 
 
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
-    # At phase 0 the cart moves at A0 Omega: the relative velocity -1 is -1 + 1.8 of a start.
+    # At phase 0 the cart moves at A0 Omega: the relative velocity -1 corresponds to a start of -1 + 1.8.
     marks = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").map_axes.lines
     stop, *marks = marks
     assert stop.get_xdata() == [1.6, 1.6]
@@ -139,7 +139,7 @@ def test_the_operating_point_is_in_the_title(basin):
 
 
 @pytest.mark.parametrize("damping, gap, cells, told", [
-    (0.01, 1.6, [[orbit(1, 1)] * 4] * 4, True),  # the swing is 1.446 at 1.8 times the natural frequency
+    (0.01, 1.6, [[orbit(1, 1)] * 4] * 4, True),  # the free amplitude is 1.446 at 1.8 times the natural frequency
     (0.01, 1.4, [[orbit(1, 1)] * 4] * 4, False), (0.01, 1.6, CELLS, False), (None, 1.6, [[orbit(1, 1)] * 4] * 4, False)])
 def test_a_motion_without_impact_that_no_start_found_is_told(tmp_path, damping, gap, cells, told):
     more = {} if damping is None else {"damping_ratio": damping}

@@ -1,4 +1,4 @@
-"""The colours of the classes: fixed for ever, and apart from each other for every reader."""
+"""The colours of the classes: permanently fixed, and distinguishable for every reader."""
 
 from itertools import combinations
 
@@ -23,7 +23,7 @@ TABLE = {
     "not computed yet": "#FFFFFF",
 }
 SECOND = {"2/3": "#07E0FE", "1/4": "#D1FDC2"}
-# CIEDE2000; 2.3 is just noticeable side by side. Of the first table, and of all colours.
+# CIEDE2000; 2.3 is just noticeable for adjacent colours. For the first table, and for all colours.
 DISTANCES = {normal_sight: (15.1, 12.7), protanope_sight: (9.0, 8.4), deuteranope_sight: (10.0, 8.8), tritanope_sight: (8.4, 8.1)}
 GREY_DISTANCE, TWO_COLOUR_GREY_DISTANCE = 30, 15  # in L*
 
@@ -37,7 +37,7 @@ def test_the_tables_are_fixed():
 
 
 def test_distance_agrees_with_published_pairs():
-    # Three pairs of Sharma, Wu and Dalal's test data.
+    # Three pairs from the test data of Sharma, Wu & Dalal (2005).
     assert difference((50, 2.6772, -79.7751), (50, 0, -82.7485)) == pytest.approx(2.0425, abs=1e-4)
     assert difference((50, 0, 0), (50, -1, 2)) == pytest.approx(2.3669, abs=1e-4)
     assert difference((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387)) == pytest.approx(1.2644, abs=1e-4)
@@ -53,7 +53,7 @@ def test_every_two_colours_differ(sight):
 
 
 def cells_of(*orbits):
-    """Counts of CLASSES: so many cells of each {label: count}."""
+    """Counts of CLASSES from {label: number of cells}."""
     counts = np.zeros(len(CLASSES), dtype=int)
     for label, count in dict(orbits).items():
         counts[INDEX[label]] = count
@@ -74,7 +74,7 @@ def test_two_of_one_colour_are_not_both_named():
     counts = cells_of(("1/1", 90), ("2/3", 50), (twin.label, 40), ("1/2", 30))
     names = {CLASSES[n].label: CLASSES[as_what].label for n, as_what in enumerate(named(counts))}
     assert names["2/3"] == "2/3" and names[twin.label] == names["1/2"] == "other p/q"
-    assert names["chaotic"] == "chaotic" and names["3/3"] == "3/3"  # that isn't there: a live map may have it
+    assert names["chaotic"] == "chaotic" and names["3/3"] == "3/3"  # absent here: a live map may have it
 
 
 def test_a_map_names_what_it_has_most_of(tmp_path):
@@ -88,7 +88,7 @@ def test_a_map_names_what_it_has_most_of(tmp_path):
 
 
 def test_the_last_of_all_classes_is_hatched_like_the_first():
-    """There are more colours with their hatchings than a byte counts."""
+    """There are more colours, including hatchings, than fit into a byte."""
     looks = [fills.fill(entry.colour) if entry.label != "other p/q" else fills.Fill("#F6F6F6", "xx") for entry in CLASSES]
     number = INDEX["other p/q"]
     raster, *_ = fills.textured(np.full((4, 4), number, dtype=np.uint8), np.arange(5.0), np.arange(5.0), looks)
@@ -97,7 +97,7 @@ def test_the_last_of_all_classes_is_hatched_like_the_first():
 
 @pytest.mark.parametrize("label", [label for label, (_, hatch) in GREYS.items() if hatch])
 def test_a_hatching_reads_as_a_darker_or_lighter_grey_in_a_thin_tongue(label):
-    """A tongue of a hundredth of the side has both colours, and together they aren't as light as without it."""
+    """A tongue one hundredth of the side wide has both colours, and together they are darker than without hatching."""
     look = fills.Fill(fills.grey(GREYS[label][0]), GREYS[label][1])
     raster, *_, colours = fills.textured(np.zeros((100, 100), dtype=int), np.arange(101.0), np.arange(101.0), [look])
     for tongue in (raster[:, 350:357], raster[350:357]):
@@ -112,7 +112,7 @@ def test_the_main_classes_differ_in_grey(orbit, other):
 
 
 def test_the_regimes_without_an_orbit_differ_in_grey():
-    # Sustained contact and chaos lie side by side in maps of small gaps.
+    # Sustained contact and chaos are adjacent in maps of small gaps.
     light = [lightness(colour_named(label)) for label in ("chaotic", "unresolved", "sustained contact", "no impact")]
     assert np.diff(light).min() > TWO_COLOUR_GREY_DISTANCE
     assert light[2] - light[0] > GREY_DISTANCE

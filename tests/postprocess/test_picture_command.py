@@ -1,4 +1,4 @@
-"""draw.py from a shell: which pictures for which file, their size, what it prints, its exit codes."""
+"""draw.py from a shell: pictures for each file, their size, its output and exit codes."""
 
 import fcntl
 import os

@@ -1,4 +1,4 @@
-"""Pictures of curves: each kind by its own line, special points by letters, p/q at the curves, in the right place."""
+"""Pictures of curves: each kind by its line style, special points by letters, p/q at the curves, in the right place."""
 
 import numpy as np
 import pytest
@@ -68,7 +68,7 @@ def test_special_points_that_lie_together_have_their_letters_once(tmp_path):
     letters = [text for text in figure.axes[0].texts if "/" not in text.get_text()]
     assert sorted(text.get_text() for text in letters) == ["FC", "P"]
     dots = [line for line in figure.axes[0].lines if line.get_marker() == "."]
-    assert len(dots) == 3  # points nearer than a dot is wide share it
+    assert len(dots) == 3  # points closer than a dot's width share one
 
 
 def test_a_file_without_curves_gives_no_picture(tmp_path):
@@ -100,7 +100,7 @@ def test_unstable_orbits_that_cannot_be_are_refused(tmp_path, branch):
 
 
 def write_distances(path):
-    """Cells at 0.1 from an edge, but two that have none in the window and one that could not be followed."""
+    """Cells at 0.1 from an edge, except two without an edge in the window and one that could not be followed."""
     write_curves(path, cart_amplitude_m=1e-3, natural_frequency_hz=4.0)
     with SealedFile(path, "r+") as file:
         shape = file["regime"].shape

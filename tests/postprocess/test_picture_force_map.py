@@ -1,4 +1,4 @@
-"""Force maps: which cells carry a force, its colour, the mark of the largest, the scale in newtons."""
+"""Force maps: the cells that carry a force, their colours, the mark of the largest, the scale in newtons."""
 
 import matplotlib
 import numpy as np
@@ -46,7 +46,7 @@ def test_cells_without_a_proof_keep_their_own_colour(tmp_path):
 
 def test_the_largest_force_is_marked_with_its_value(tmp_path):
     forces = np.full((4, 4), 10.0)
-    forces[1, 0], forces[0, 3] = 12.5, 40.0  # z = 1/1, and a larger one that is 1/2
+    forces[1, 0], forces[0, 3] = 12.5, 40.0  # z = 1/1, and a larger one for 1/2
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=forces)) as file:
         single, every = figure_of(force_map.draw_single_impact(file)).axes[0], figure_of(force_map.draw_all_impacts(file)).axes[0]
     assert [text.get_text() for text in single.texts] == ["max 12.5 (36.5 N), on the map's border"]

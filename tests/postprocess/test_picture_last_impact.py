@@ -1,4 +1,4 @@
-"""How long impacts last that end: classes of the last impact, and what a short run would take for an attractor."""
+"""Duration of impacts that end: classes of the last impact, and what a short run would mistake for an attractor."""
 
 import pytest
 from peterka.maps import basin_map, last_impact

@@ -1,5 +1,4 @@
-"""Nothing leaves the canvas and nothing is written over something else: every kind of picture, with long titles, wide
-numbers at the axes, tiny and huge values."""
+"""No text leaves the canvas or overlaps anything: every kind of picture, with long titles, wide axis numbers, tiny and huge values."""
 
 import h5py
 import numpy as np
@@ -21,7 +20,7 @@ from study_samples import write_labels, write_stability, write_work_precision
 from sweep_samples import FREQUENCY, write_sweep
 from trace_samples import write_trace
 
-# Not every title with every size: each fault shows in one of these.
+# Not every title with every size: each fault appears in one of these.
 CASES = [("short", "usual"), ("long", "tiny"), ("one word", "huge")]
 TITLES = {"short": "Sample", "long": "A title with many words that says all there is to say of a rig and more " * 2,
           "one word": "M" * 150}
@@ -41,7 +40,7 @@ def all_sound(path, monkeypatch, **options):
         assert pictures
         for name, draw in pictures.items():
             drawn = draw(file)
-            if drawn is None:  # it has nothing to show
+            if drawn is None:  # nothing to show
                 continue
             faults = faults_of_layout(figure_of(drawn), monkeypatch)
             assert not faults, f"{name}:\n" + "\n".join(faults)
@@ -131,7 +130,7 @@ def test_a_sweep_with_measured_points_and_many_jumps(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("count", [8, 40, 160])
 def test_many_points_with_labels_over_maps(tmp_path, monkeypatch, count):
-    """No text meets another one, or a mark; what has no room is left out."""
+    """No text overlaps another or a mark; text without space is omitted."""
     cells = np.repeat(np.repeat(np.array(PLAIN), 12, axis=0), 12, axis=1)
     path = write_map(tmp_path / "a.h5", cells)
     random = np.random.default_rng(count)

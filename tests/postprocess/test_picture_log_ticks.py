@@ -1,4 +1,4 @@
-"""Logarithmic axes: labels never touch, are round, and are there for every range."""
+"""Logarithmic axes: labels do not overlap, are round, and exist for every range."""
 
 import numpy as np
 import pytest

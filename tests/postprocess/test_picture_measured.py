@@ -1,4 +1,4 @@
-"""Measured points from a CSV file: units, gaps, rigs, and one clear line for what is wrong with it."""
+"""Measured points from a CSV file: units, gaps, rigs, and one clear line for each fault."""
 
 import re
 
@@ -131,7 +131,7 @@ def test_over_a_map_of_forces_a_mark_has_the_colour_of_its_force(tmp_path):
 
 
 def test_no_note_is_written_over_a_mark(tmp_path, monkeypatch):
-    """Marks where the note of the largest force and a label would stand."""
+    """Marks where the note of the largest force and a label would be placed."""
     found = points_of_map(tmp_path, "frequency_ratio,gap_ratio,force_ratio,label\n3.4,0.8,10,a label\n2,0.8,10,\n2.4,0.8,9,\n1.4,1.6,9,\n")
     ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found)
     figure = ax.figure
@@ -162,7 +162,7 @@ def places_of(file, text, tmp_path):
 
 
 def test_a_motion_of_all_cells_around_a_point_is_interpolated(tmp_path):
-    """Forces of the sample are linear: 10 + row + column/10, at gaps 0, 1, 2 and frequencies 1, 2, 3, 4."""
+    """The sample's forces are linear: 10 + row + column/10, at gaps 0, 1, 2 and frequencies 1, 2, 3, 4."""
     columns = np.zeros((3, 4), dtype=int)
     labels = np.stack([columns + 1, columns + 1, columns + 1], axis=-1)
     write_map(tmp_path / "m.h5", labels, frequency_ratio=np.arange(1.0, 5), gap_ratio=np.arange(3.0))
@@ -173,7 +173,7 @@ def test_a_motion_of_all_cells_around_a_point_is_interpolated(tmp_path):
 
 
 def test_a_point_meets_every_attractor_of_its_place(tmp_path, draw):
-    """Of four cells all have 1/1 and, with twice its force, 1/2; the nearest has 2/2 alone."""
+    """All four cells have 1/1 and, with twice its force, 1/2; only the nearest has 2/2."""
     shape = (2, 2)
     write_map(tmp_path / "m.h5", np.full((*shape, 3), 1), frequency_ratio=np.array([1.0, 2]), gap_ratio=np.array([0.0, 1]))
     slots = np.zeros((3, *shape, 3), dtype=int)
@@ -195,7 +195,7 @@ def test_a_point_meets_every_attractor_of_its_place(tmp_path, draw):
 
 
 def test_forces_that_jump_are_of_two_branches(tmp_path):
-    """Of one label: nothing lies between them."""
+    """With equal labels: nothing lies between them."""
     write_map(tmp_path / "m.h5", np.full((1, 2, 3), 1), frequency_ratio=np.array([1.0, 2]), gap_ratio=np.array([0.0]),
               forces=np.array([[10.0, 20]]))
     with PeterkaFile(tmp_path / "m.h5") as file:
@@ -223,7 +223,7 @@ def test_a_basin_takes_no_points(tmp_path, draw):
 
 
 def test_forty_points_name_their_series_once(tmp_path):
-    """By a column of its own, or by the label that they all have; bars where there are errors."""
+    """By a separate column, or by their common label; with bars for given errors."""
     lines = "".join(f"{1 + n / 40},{20 + n},0,{name},1\n" for n in range(20) for name in ("up", "down"))
     for column in ("series", "label"):
         found = points(tmp_path, f"frequency_ratio,force_ratio,gap_ratio,{column},force_error_ratio\n" + lines)
@@ -256,7 +256,7 @@ def test_a_comma_that_is_no_decimal_one_is_told(tmp_path, draw):
 
 
 def test_each_branch_is_told_and_the_nearest_first(tmp_path):
-    """At gap 1.5 the sample goes up on 30 + 40 (r - 1) to 1.75, and down on it from 1.5; it jumps in between."""
+    """At gap 1.5 the sample follows 30 + 40 (r - 1) up to 1.75 when rising, and from 1.5 when falling; it jumps in between."""
     found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.3,1.5,45\n1.625,1.5,50\n1.625,1.5,4\n1.9,1.5,30\n9,0,9\n2,0,\n")
     with SweepFile(tmp_path / "a.h5") as file:
         told = residuals(file, found.points)
@@ -267,7 +267,7 @@ def test_each_branch_is_told_and_the_nearest_first(tmp_path):
 
 
 def test_across_a_jump_each_side_is_told_with_its_distance(tmp_path):
-    """Going down the sample jumps between 1.625 and 1.5, and has 30 + 40 (r - 1) from there on; up, between 1.75 and 1.875."""
+    """When falling, the sample jumps between 1.625 and 1.5, and follows 30 + 40 (r - 1) from there on; rising, between 1.75 and 1.875."""
     text = "frequency_ratio,gap_ratio,force_ratio\n1.4375,1.5,40\n1.53125,1.5,35\n1.8,1.5,9\n"
     sides = {1: [[(47.5, None)], [(50.0, 0.03125), (0.0, 0.09375)], [(0.0, None)]],
              0: [[(47.5, None)], [(51.25, None)], [(0.0, 0.075), (60.0, 0.05)]]}
@@ -280,7 +280,7 @@ def test_across_a_jump_each_side_is_told_with_its_distance(tmp_path):
 
 
 def test_attractors_on_which_no_branch_is_are_told_too(tmp_path):
-    """The sample has one of force 70 at gap 1.5 besides; the branches' own isn't told twice."""
+    """The sample has another one of force 70 at gap 1.5; those of the branches are not listed twice."""
     (tmp_path / "points.csv").write_text("frequency_ratio,gap_ratio,force_ratio\n1.0625,1.5,68\n")
     with SweepFile(write_sweep_with_starts(tmp_path / "a.h5")) as file:
         ((nearest, branch),) = residuals(file, read_measurements(tmp_path / "points.csv", file).points)
@@ -289,7 +289,7 @@ def test_attractors_on_which_no_branch_is_are_told_too(tmp_path):
 
 
 def test_labels_stand_at_their_own_points(tmp_path):
-    """Of three points side by side each label is nearest to its own or has a line to it, and none is far."""
+    """For three adjacent points each label is nearest to its own or has a line to it, and none is far."""
     found = points_of_map(tmp_path, "frequency_ratio,gap_ratio,label\n2,1.5,first of three\n2.2,1.5,second of three\n2.4,1.5,third of three\n")
     ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found)
     renderer = ax.figure.canvas.get_renderer()

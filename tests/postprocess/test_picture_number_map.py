@@ -1,4 +1,4 @@
-"""Numbers without a unit: each that a file holds has a picture, with the cells that carry it and a scale of its own."""
+"""Dimensionless numbers: each one in a file has a picture, with the cells that carry it and its own scale."""
 
 import matplotlib
 import numpy as np

@@ -1,4 +1,4 @@
-"""The Peterka map: right colour at the right place, only what occurs in the legend, second scales, notice."""
+"""The Peterka map: right colour at the right place, only occurring classes in the legend, second scales, notice."""
 
 import numpy as np
 import pytest
@@ -35,7 +35,7 @@ def test_legend_has_the_classes_that_occur_and_their_shares(tmp_path):
 @pytest.mark.parametrize("cycles, label", [
     ({(0, 0): 9, (1, 2): 1500, (2, 0): 20000}, "chaotic for 1,500–20,000 cycles (12.5 %)"),
     ({(1, 2): 1500, (2, 0): 1500}, "chaotic for 1,500 cycles (12.5 %)"),
-    ({(1, 2): 1500, (2, 0): 0}, "chaotic for 1,500 cycles (12.5 %)"),  # a filled cell was not followed
+    ({(1, 2): 1500, (2, 0): 0}, "chaotic for 1,500 cycles (12.5 %)"),  # filled cells were not observed
     ({(0, 0): 9}, "chaotic (12.5 %)"),
 ])
 def test_legend_says_for_how_many_cycles_chaos_was_observed(tmp_path, cycles, label):

@@ -1,4 +1,4 @@
-"""Optional numbers of a map or basin: a picture for each that the file holds, units, cells without a value."""
+"""Optional quantities of a map or basin: a picture for each one in the file, units, cells without a value."""
 
 import matplotlib
 import numpy as np
@@ -101,7 +101,7 @@ def test_a_rigid_stop_gives_its_other_numbers_instead_of_an_empty_force_map(tmp_
 
 def test_forces_that_some_impacts_lack_are_told(tmp_path):
     forces = np.full((4, 4), 10.0)
-    forces[0, 0], forces[2, 0] = NAN, 11.0  # its note stands elsewhere
+    forces[0, 0], forces[2, 0] = NAN, 11.0  # its note is placed elsewhere
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=forces)) as file:
         for picture in (force_map.draw_single_impact, force_map.draw_all_impacts):
             drawn = Drawn(picture(file), tmp_path / "a.png")

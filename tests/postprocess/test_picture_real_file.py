@@ -1,4 +1,4 @@
-"""Pictures of files that the real program wrote: its layout and the one that the pictures expect are the same."""
+"""Pictures of files written by the real program: its layout is the one that the pictures expect."""
 
 import os
 import subprocess

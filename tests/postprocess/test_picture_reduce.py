@@ -1,4 +1,4 @@
-"""Large maps: what a block of cells becomes, and that bands of rows give what the whole map gives."""
+"""Large maps: reduction of a block of cells, and agreement between bands of rows and the whole map."""
 
 import numpy as np
 import pytest

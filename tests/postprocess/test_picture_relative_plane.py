@@ -1,4 +1,4 @@
-"""Traces say why a cell has its colour, show the relative frame and stroboscopic points, and have no empty panels."""
+"""Traces state why a cell has its colour, show the relative frame and stroboscopic points, and have no empty panels."""
 
 import h5py
 import numpy as np
@@ -75,7 +75,7 @@ def test_what_does_not_impact_has_no_empty_panels(tmp_path):
 
 
 def test_an_orbit_of_q_cycles_has_q_points():
-    """Of the program, at a place of z = 1/2: 4 cycles show each of its two points twice and the first once more."""
+    """From the program, at a place with z = 1/2: 4 cycles show each of its two points twice and the first once more."""
     data = peterka.run(RIG.format(kind="trace") + "[operating_point]\nfrequency_ratio = 3.5\ngap_ratio = 0.3\n", ranks=1,
                        trace__cycles=4)
     assert (int(data["cell/impacts"]), int(data["cell/period"])) == (1, 2)

@@ -1,4 +1,4 @@
-"""Pictures of studies: the numbers at the right place, every method told apart, what is missing left open."""
+"""Pictures of studies: numbers at the right place, every method distinguishable, missing results left open."""
 
 from itertools import combinations
 

@@ -1,4 +1,4 @@
-"""Pictures of traces: the numbers at the right place and in SI units, what a file hasn't left out."""
+"""Pictures of traces: numbers at the right place and in SI units, omission of what a file lacks."""
 
 import h5py
 import numpy as np
@@ -39,12 +39,12 @@ def test_displacements_are_in_mm_and_forces_in_newtons(tmp_path):
     displacements, acceleration, force = drawn(path, motion, tmp_path).axes[:3]
     time, hammer = line(displacements, 0)
     np.testing.assert_allclose(hammer, 1000 * AMPLITUDE * (-2 + np.cos(2 * np.pi * HZ * time)))
-    assert len(displacements.lines) == 2  # at gap 0 the stop is where the cart is
+    assert len(displacements.lines) == 2  # at gap 0 the stop coincides with the cart
     assert "mm" in displacements.get_ylabel() and "(N)" in force.get_ylabel() and "m/s²" in acceleration.get_ylabel()
     with h5py.File(path) as file:
         samples = np.stack([file["time"][()], file["force_ratio"][()] * WEIGHT], axis=1)
         peaks = np.stack([file["impacts/touch_time"][()], 3 * [PEAK * WEIGHT]], axis=1)
-        points = np.concatenate([peaks, samples])  # of the line: at each impact its peak, before a sample of that time
+        points = np.concatenate([peaks, samples])  # of the line: at each impact its peak, before a sample at the same time
         np.testing.assert_allclose(np.stack(list(line(force, 0)), axis=1), points[np.argsort(points[:, 0], kind="stable")])
         np.testing.assert_allclose(list(line(force, 1))[1], 3 * [PEAK * WEIGHT])
         np.testing.assert_allclose(list(line(acceleration, 0))[1], file["hammer_acceleration"][()])
@@ -129,7 +129,7 @@ def test_a_damaged_trace_is_refused(tmp_path, draw, name, values, message):
 
 
 def test_the_sketch_of_the_rig_names_its_coordinates():
-    """As the README does; no text leaves it or meets another one."""
+    """As in the README; no text leaves it or overlaps another."""
     figure = rig_sketch.draw()
     figure.canvas.draw()
     texts = [text for text in figure.axes[0].texts]

@@ -1,4 +1,4 @@
-"""peterka from Python: jobs run, files opened, pictures drawn into the user's own Axes; no other use of the package."""
+"""peterka from Python: jobs run, files opened, pictures drawn into the user's own Axes, and rejected uses."""
 
 import os
 import subprocess
@@ -121,7 +121,7 @@ def test_it_is_installed_by_pip(tmp_path):
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index"]
     done = subprocess.run([*pip, "--target", tmp_path / "site", tmp_path / "source"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    (tmp_path / "peterka" / "src").mkdir(parents=True)  # a clone, which doesn't hide the package
+    (tmp_path / "peterka" / "src").mkdir(parents=True)  # a clone, which must not hide the package
     code = ("import peterka, pathlib, xarray; folder = pathlib.Path(peterka.__file__).parent; data = xarray.open_dataset('rig.h5', engine='peterka', "
             "drop_variables='impacts'); print(folder, peterka.draw, (folder / 'page' / 'page.html').is_file(), (folder / 'py.typed').is_file(), "
             "data.regime.shape, 'impacts' in data)")

@@ -1,4 +1,4 @@
-"""The scaling study: measured runs, what helps where rank 0 is too slow, the picture, the program's words."""
+"""The scaling study: measured runs, remedies where rank 0 is too slow, the picture, the program's output."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""The replay of dealing tiles to ranks: by hand, what it conserves, refined planes; and the order in which they are dealt."""
+"""The replay of dealing tiles to ranks: by hand, conserved quantities, refined planes; and the dealing order."""
 
 from itertools import pairwise
 
@@ -24,8 +24,8 @@ def test_one_rank_takes_the_sum_of_all_tiles():
 
 
 def test_a_little_case_done_by_hand():
-    # Tiles that are dealt one by one to two ranks, and take 4, 2, 3, 1, 5 s in their turns: every third one in a circle
-    # of five. A message takes 0.25 s, rank 0 needs 0.5 s for a request and looks every second.
+    # Tiles are dealt one by one to two ranks, and take 4, 2, 3, 1, 5 s in dealing order: every third one, cyclically, of
+    # five. A message takes 0.25 s, rank 0 needs 0.5 s per request and polls every second.
     #   0.00 rank 1 asks; rank 0 begins turn 0 (4 s), looks at 1.00, and serves until 1.50: 3 s of its tile are left
     #   1.75 rank 1 has turn 1, begins it (it is also its last) and asks at once; rank 0 has that at 2.00
     #   2.50 rank 0's next look (2 s left); it serves until 3.00; rank 1 has turn 2 at 3.25, is free at 3.75, begins it
@@ -39,16 +39,16 @@ def test_a_little_case_done_by_hand():
 
 
 def test_a_rank_with_room_asks_again_at_once():
-    # Two tiles in hand, tiles of 3 s, one at a time: rank 1 asks at 0, has its first one at 0 and asks again, its
-    # second one at 0 and asks when the first one is done. Rank 0 begins to compute only then, with what is left.
+    # Two tiles in hand, tiles of 3 s, one at a time: rank 1 requests at 0, has its first one at 0 and requests again, has
+    # its second one at 0 and requests when the first is done. Rank 0 begins to compute only then, with the rest.
     costs = TileCosts([[3.0] * 6])
     done = replay(costs, 2, Machine(service=0.0, latency=0.0, look=1.0, in_hand=2), one_by_one)
     assert (done.seconds, done.runs) == (9.0, 3)
 
 
 def test_long_runs_are_asked_for_when_the_last_tile_comes_to_hand():
-    # Runs of 3 tiles of 1 s, two in hand. Rank 1 takes the last tile of its run at 1, when its first one is done, and
-    # asks; rank 0 is then done with tile 3 and has 4 and 5 in hand. It deals tiles 6 to 8, and takes the last ones.
+    # Runs of 3 tiles of 1 s, two in hand. Rank 1 takes the last tile of its run at 1, when its first is done, and requests;
+    # rank 0 has then finished tile 3 and has 4 and 5 in hand. It deals tiles 6 to 8, and takes the last ones.
     remained = []
 
     def size(remaining, _tiles, _ranks):
@@ -60,8 +60,8 @@ def test_long_runs_are_asked_for_when_the_last_tile_comes_to_hand():
 
 
 def test_requests_wait_in_line():
-    # Three workers ask at 0, and rank 0 serves one after the other, 1 s each. Rank 1 begins its tile of 8 s at 1 and asks
-    # at once, before rank 0 comes to compute: the last tile is dealt at 4 and begun at 9.
+    # Three workers request at 0, and rank 0 serves one after the other, 1 s each. Rank 1 begins its tile of 8 s at 1 and
+    # requests at once, before rank 0 starts to compute: the last tile is dealt at 4 and begun at 9.
     costs = TileCosts([[8.0, 8.0, 8.0, 8.0]])
     done = replay(costs, 4, Machine(service=1.0, latency=0.0, look=1.0, in_hand=1), one_by_one)
     assert (done.seconds, done.runs) == (17.0, 4)
@@ -140,11 +140,11 @@ def test_a_grid_larger_than_a_piece_is_whole(monkeypatch):
     assert [pieces.before(turn) for turn in range(3600)] == pytest.approx([whole.before(turn) for turn in range(3600)])
 
 
-CHANCE = 1e-3 * (0.2 + np.random.default_rng(5).exponential(1.0, (40, 40)) ** 2)  # some tiles are dear
+CHANCE = 1e-3 * (0.2 + np.random.default_rng(5).exponential(1.0, (40, 40)) ** 2)  # some tiles are expensive
 
 
 def lead_of_a_slow_rank_0(one_replay):
-    """By how much more efficient it is at most than one that answers without delay: which it can only be by chance."""
+    """The largest excess of its efficiency over that of a rank 0 that answers without delay, which can only be due to chance."""
     costs = TileCosts(CHANCE)
     slow, at_once = Machine(3e-6, 2e-6, 5e-4), Machine(0.0, 2e-6, 5e-4)
     return max(one_replay(costs, ranks, slow).efficiency / one_replay(costs, ranks, at_once).efficiency - 1

@@ -1,4 +1,4 @@
-"""Borders from curves over the pictures of a sweep: those that its motions meet, in their place, listed in Hz."""
+"""Borders from curves over the pictures of a sweep: those met by its motions, in their place, listed in Hz."""
 
 import numpy as np
 import pytest
@@ -72,7 +72,7 @@ def test_a_map_has_no_borders(files):
 
 
 BRANCHES = [(1.5, 1, 1, [(1.7612345678, 5.0, 0.5), (1.65, 4.0, 0.3), (1.6, 3.0, 0.2)]),
-            (1.5, 2, 2, [(1.6, 3.0, 0.9, 0.2), (1.62, 2.5, 0.1, 0.8)]),  # goes on from the one before
+            (1.5, 2, 2, [(1.6, 3.0, 0.9, 0.2), (1.62, 2.5, 0.1, 0.8)]),  # continues the previous one
             (1.5, 1, 1, [(2.3, 5.0, 0.5), (2.2, 4.0, 0.4)]),  # from a fold of no motion of the sweep
             (1.0, 1, 1, [(1.75, 5.0, 0.5), (1.7, 4.0, 0.4)])]  # at another gap
 

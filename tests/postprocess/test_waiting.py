@@ -1,4 +1,4 @@
-"""Nobody waits for what is not used: packages that no picture of a file needs, a layout for every format."""
+"""Unused components cost no time: packages that no picture of a file needs, a layout for every format."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Small trace files in layout version 3, written without peterka: a hammer that strikes once a cycle at 9 Hz."""
+"""Small trace files in layout version 3, written without peterka: a hammer with one impact per cycle at 9 Hz."""
 
 import numpy as np
 from sealing import SealedFile

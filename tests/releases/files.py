@@ -29,9 +29,9 @@ import launch  # noqa: E402
 import many_starts  # noqa: E402
 import map_contents  # noqa: E402
 
-ROUNDING_DECIDES = 20  # from this sensitivity on
+ROUNDING_DECIDES = 20  # above this sensitivity
 AGREE = 1e-9  # relative
-OF_THE_MACHINE = {"summary/checksum", "summary/bytes", "summary/frame"}  # they are of the libraries' names, too
+OF_THE_MACHINE = {"summary/checksum", "summary/bytes", "summary/frame"}  # they cover the libraries' names, too
 REFUSED = "so the rest would not fit to the last bit"
 SENSITIVITY = '\n[output]\nfields = ["sensitivity"]\n'
 CUBIC = "damping_ns_per_m = 0.06", "damping_ns_per_m = 0.06\ncubic_stiffness_n_per_m3 = 238"
@@ -56,8 +56,8 @@ JOBS = {
     "curves": jobs.small_curves(64),
     "trace": jobs.trace(2.0),
 }
-BY_SUNDIALS = {"cvode", "arkode", "audited"}  # wholly or in part
-WRITTEN_WHOLE = {"curves", "trace"}  # no run is stopped on its way to them
+BY_SUNDIALS = {"cvode", "arkode", "audited"}  # entirely or in part
+WRITTEN_WHOLE = {"curves", "trace"}  # their runs are never stopped midway
 
 
 def make(folder):
@@ -80,7 +80,7 @@ def make_stopped(folder, name):
             return
         if finished.returncode == 5:
             seconds *= growth
-        else:  # between this and the time before
+        else:  # between this and the previous duration
             path.unlink()
             growth = growth**0.5
             seconds /= growth
@@ -100,7 +100,7 @@ def one_arithmetic(*paths):
 
 
 def cells_without_rounding(file):
-    """Where rounding doesn't decide; of a sweep, whose points begin where the one before ended, nor has done so before."""
+    """Mask of the cells not decided by rounding; in a sweep, whose points begin where the previous one ended, nor decided earlier."""
     sure = file["sensitivity"][()] <= ROUNDING_DECIDES
     if "direction" in file:
         down = file["direction"][()] < 0
@@ -111,7 +111,7 @@ def cells_without_rounding(file):
 
 
 def faults_of_cells(own, other):
-    """In how many cells of two maps labels or forces differ, rounding left aside; and in how many they agree, in words."""
+    """Number of cells of two maps whose labels or forces differ, rounding excluded; and the number that agree, in words."""
     with h5py.File(own) as one, h5py.File(other) as two:
         sure = cells_without_rounding(one) & cells_without_rounding(two)
         faults = [f"{np.count_nonzero(wrong)} cells have another {label}" for label in ("regime", "impacts", "period")
@@ -126,7 +126,7 @@ def faults_of_cells(own, other):
 
 
 def faults_of_numbers(own, other):
-    """Which numbers of two files without cells differ by more than 1e-9 of the largest of their kind."""
+    """The numbers of two files without cells that differ by more than 1e-9 of the largest of their kind."""
     faults, worst = [], 0.0
     with h5py.File(own) as one, h5py.File(other) as two:
         for name in content(own):
@@ -144,7 +144,7 @@ def faults_of_numbers(own, other):
 
 
 def compared(name, own, other):
-    """Faults, and what was found, in words."""
+    """Faults, and the findings, in words."""
     if content(own) == content(other):
         return [], "the same bytes"
     if name not in BY_SUNDIALS and one_arithmetic(own, other):
@@ -154,7 +154,7 @@ def compared(name, own, other):
 
 
 def known_as_complete(folder, other, name):
-    """Faults of what the program and the readers here say of a whole file from elsewhere."""
+    """Faults reported by the program and the readers here for a whole file from elsewhere."""
     import peterka
 
     peterka.open(other / f"{name}.h5")
@@ -165,7 +165,7 @@ def known_as_complete(folder, other, name):
 
 
 def gone_on_with(folder, other, name):
-    """Faults, and what became of a stopped run's file from elsewhere, in words."""
+    """Faults, and the outcome for a stopped run's file from elsewhere, in words."""
     with tempfile.TemporaryDirectory() as scratch:
         path = Path(shutil.copy(other / f"{name}-stopped.h5", scratch))
         run = launch.run("run", folder / f"{name}.toml", "--output", path, cwd=folder, ranks=2)

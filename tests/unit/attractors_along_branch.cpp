@@ -1,4 +1,4 @@
-// What a point of a sweep keeps once its branches have come by.
+// The attractors kept at a sweep's point after its branches have passed.
 #include "attractors/along_branch.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ regime::BranchPoint on(const cell::CellResult& result) {
     return {result, regime::SteadyMotion(4), 1};
 }
 
-// Three orbits with shares, the largest first, told by their displacements.
+// Three orbits with shares, the largest first, identified by their displacements.
 PointAttractors point() {
     PointAttractors found{.count = 3, .gap = 1};
     for (const double displacement : {1.0, 2.0, 3.0}) {

@@ -1,4 +1,4 @@
-// Kicks against basins whose borders are known in closed form.
+// Kicks against basins whose boundaries are known in closed form.
 #include "attractors/kick_scan.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ Scanned scanned_outcomes(int period, double largest, const Outcomes& outcome_of)
     return result;
 }
 
-// The size of kick at which the basin ends, by phase; the way back grows with the logarithm of what is missing.
+// The critical kick size by phase; the return time grows with the logarithm of the distance to the boundary.
 using Border = std::function<double(double phase, bool up)>;
 
 Scanned scanned(int period, double largest, const Border& border) {
@@ -66,7 +66,7 @@ TEST(KickScan, SaysUpToWhichSizeNoneWasFound) {
     EXPECT_GT(kicks, 1000);
 }
 
-// A tongue that takes a fiftieth of the phases and reaches down to a fifth of the border elsewhere.
+// A tongue over one fiftieth of the phases that reaches down to a fifth of the boundary elsewhere.
 TEST(KickScan, FindsATongueThatIsWiderThanItsKicksLieApart) {
     for (int place = 0; place < 20; ++place) {
         const double tip = 0.05 * place + 0.013;
@@ -80,7 +80,7 @@ TEST(KickScan, FindsATongueThatIsWiderThanItsKicksLieApart) {
 }
 
 TEST(KickScan, EndsCloseAboveTheBorder) {
-    for (const double sharp : {0.0, 1.0, 20.0}) {  // how steep an edge the border has at its lowest point
+    for (const double sharp : {0.0, 1.0, 20.0}) {  // sharpness of the boundary's minimum
         const auto [scan, kicks] = scanned(1, 4, [&](double phase, bool) {
             return 0.3333 * (1 + sharp * std::abs(phase - 0.41) + std::pow(phase - 0.41, 2));
         });
@@ -90,13 +90,13 @@ TEST(KickScan, EndsCloseAboveTheBorder) {
     }
 }
 
-// A fraction that a kick has, as if at random.
+// A pseudo-random fraction for a kick.
 double chance_of(const KickTried& kick) {
     const double mixed = std::sin(kick.phase * 12.9898 + kick.change * 78.233) * 43758.5453;
     return mixed - std::floor(mixed);
 }
 
-// Kicks above `border` get onto chaos, live there for a mean of so many cycles, and are followed for 1,000.
+// Kicks above `border` reach a chaotic transient with this mean life in cycles, and are followed for 1,000.
 KickScan::Outcome outcome_over_chaos(const KickTried& kick, double border, double mean) {
     if (kick.size() < border) return {End::back, 10};
     const double life = -mean * std::log(1 - chance_of(kick));
@@ -104,7 +104,7 @@ KickScan::Outcome outcome_over_chaos(const KickTried& kick, double border, doubl
     return {life < 1000 ? End::back : End::chaos, 30 + chaotic, chaotic};
 }
 
-// One of some hundreds stays on the chaos for as long as it is followed.
+// One of some hundreds remains chaotic for as long as it is followed.
 TEST(KickScan, CountsNoChaosThatDies) {
     for (const double mean : {150.0, 200.0, 400.0}) {
         const auto [scan, kicks] = scanned_outcomes(1, 4, [&](const KickTried& kick) {
@@ -120,7 +120,7 @@ TEST(KickScan, CountsNoChaosThatDies) {
     EXPECT_EQ(alone.tried(), 4);
 }
 
-// Below the border of its basin some kicks wander for a while, too, and come back.
+// Below the basin boundary some kicks also wander for a while before they return.
 TEST(KickScan, CountsChaosThatLasts) {
     const auto [scan, kicks] = scanned_outcomes(1, 4, [](const KickTried& kick) {
         const bool wanders = chance_of(kick) < 0.05;
@@ -131,7 +131,7 @@ TEST(KickScan, CountsChaosThatLasts) {
     EXPECT_NEAR(scan.smallest().size(), 0.8, 0.001);
 }
 
-// Sizes grow by twos from 1/256 of the largest on, where nothing ends elsewhere, and fill each level evenly.
+// Sizes double from 1/256 of the largest, where nothing ends elsewhere, and fill each level evenly.
 TEST(KickScan, BeginsWithTheSmallestSizes) {
     constexpr double largest = 256;
     KickScan scan(1, largest);
@@ -154,7 +154,7 @@ TEST(KickScan, BeginsWithTheSmallestSizes) {
     EXPECT_GT(scan.next(outcomes).size(), 32U);  // rounds
 }
 
-// Two million cycles, and what was begun by then.
+// Two million cycles, plus those already begun.
 TEST(KickScan, EndsWhereWaysBackAreLong) {
     const auto [far, kicks_far] = scanned_outcomes(16, 256, [](const KickTried&) {
         return KickScan::Outcome{End::back, 2500};
@@ -168,7 +168,7 @@ TEST(KickScan, EndsWhereWaysBackAreLong) {
         return KickScan::Outcome{kick.size() < border ? End::back : End::elsewhere, 2500};
     });
     ASSERT_TRUE(near.found());
-    EXPECT_NEAR(near.smallest().size(), 1.2, 0.001);  // along the border all the same
+    EXPECT_NEAR(near.smallest().size(), 1.2, 0.001);  // still along the boundary
     EXPECT_EQ(near.tried(), near.smallest().size());
     EXPECT_LT(kicks_near, 2 * 32 * 16 + 40 * 32);
 }

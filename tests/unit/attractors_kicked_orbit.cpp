@@ -1,4 +1,4 @@
-// A kick in the middle of a cycle, for each engine.
+// A kick in the middle of a cycle, for every engine.
 #include "attractors/kicked_orbit.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Case {
     const char* name;
     scene::Oscillator<double> oscillator;
     EngineSettings settings;
-    double tolerance;  // the steps of an engine that has some aren't those of a whole cycle
+    double tolerance;  // an integrator's steps in parts of a cycle differ from those in a whole one
 };
 
 std::vector<Case> cases() {
@@ -37,7 +37,7 @@ std::vector<Case> cases() {
             {"rigid arkode", rigid, {Engine::arkode, 1e-9, 5}, 1e-6}};
 }
 
-// In flight, in contact and after an impact.
+// Kicks in flight, in contact and after an impact.
 TEST(KickedOrbit, PartsOfACycleMakeTheWhole) {
     for (const Case& each : cases()) {
         regime::CycleMap map = regime::make_cycle_map(each.oscillator, each.settings);
@@ -58,7 +58,7 @@ TEST(KickedOrbit, PartsOfACycleMakeTheWhole) {
     }
 }
 
-// A kick of nothing leads back to the orbit, from any phase of any of its cycles.
+// A kick of size zero leads back to the orbit, from any phase of any of its cycles.
 TEST(KickedOrbit, StaysOnTheOrbitWithoutAKick) {
     const scene::Oscillator<double> oscillator = testing::paper_rig(testing::beam_170mm, 2.75, 0.0);  // 2/2
     const regime::CellResult found = regime::find_steady_state(oscillator, testing::start_at(oscillator), {});

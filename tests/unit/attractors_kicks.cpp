@@ -1,5 +1,5 @@
-// Kicks of several motions side by side: which start each search has, and that its end goes back to its own
-// motion.
+// Kicks of several motions side by side: the start of each
+// search, and the assignment of its end to its own motion.
 #include "attractors/kicks.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Tally::Entry entry_of(const CellResult& result, bool has_orbit) {
     return entry;
 }
 
-// 1/1 of the paper's rig at gap 0 in slots 1 and 3; what can't be kicked in slots 0 and 2.
+// 1/1 of the paper's rig at gap 0 in slots 1 and 3; motions that cannot be kicked in slots 0 and 2.
 Kicked two_orbits() {
     Kicked kicked{testing::paper_rig(testing::beam_170mm, 2, 0), {}};
     const CellResult orbit = testing::solve(kicked.oscillator);
@@ -62,12 +62,12 @@ TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
         if (searches.empty()) break;
         ASSERT_EQ(searches.size(), starts.size());
         ended.assign(searches.size(), {.result = kicked.entries[1].result});
-        // in the first round each of both has 32 kicks: all of the first come back, and one of the second
-        // doesn't
+        // in the first round each of the two has 32 kicks: all
+        // of the first return, and one of the second does not
         if (rounds == 0) {
             ASSERT_EQ(searches.size(), 64U);
             ended.back() = {.result = elsewhere()};
-            ended[3].result.regime = Regime::failed;  // tells nothing
+            ended[3].result.regime = Regime::failed;  // gives no information
         }
         ++rounds;
     }
@@ -84,7 +84,8 @@ TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
     }
 }
 
-// A basin that ends at a speed, downwards alone: its kick is found, with its size and direction.
+// A basin that ends at a speed in the downward direction
+// only: its critical kick is found, with size and direction.
 TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     Kicked kicked = two_orbits();
     kicked.entries.resize(2);

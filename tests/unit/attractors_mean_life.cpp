@@ -1,4 +1,4 @@
-// The mean life of chaos, from lives that are cut off at random.
+// The mean lifetime of transient chaos, from randomly censored lifetimes.
 #include "attractors/mean_life.hpp"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ TEST(MeanLife, IsTheTimeOnTheChaosOverTheEscapes) {
     life.take(start(Regime::no_impact, 50, 700, 350));  // 300 until its last impact
     life.take(start(Regime::periodic, 100, 800));
     life.take(start(Regime::unresolved, 100, 300));
-    life.take(start(Regime::no_impact, 0, 40, 30));   // never forgot where it began
-    life.take(start(Regime::no_impact, 60, 90, 55));  // forgot it after the last impact
+    life.take(start(Regime::no_impact, 0, 40, 30));   // never forgot its start
+    life.take(start(Regime::no_impact, 60, 90, 55));  // forgot its start after the last impact
     EXPECT_EQ(life.mean(), (1000 + 300 + 700 + 200) / 2.0);
     EXPECT_DOUBLE_EQ(life.error(), life.mean() / std::sqrt(2.0));
 }
@@ -40,7 +40,7 @@ TEST(MeanLife, IsUnknownWhereNoneEscapes) {
     EXPECT_TRUE(std::isnan(life.error()));
 }
 
-// Lives are random, and followed for 1000 cycles at most: the error says how far off the mean is.
+// Random lifetimes censored at 1000 cycles: the estimated error covers the deviation of the mean.
 TEST(MeanLife, IsThatOfLivesThatAreCutOff) {
     constexpr double mean = 2000;
     std::mt19937_64 random(1);

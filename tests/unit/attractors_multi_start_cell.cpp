@@ -1,4 +1,5 @@
-// A cell with many starts against one search for each of them; and its smallest kick against kicks one by one.
+// A cell with many starts against a separate search for
+// each of them, and its critical kick against single kicks.
 #include "attractors/multi_start_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ job::Job two_attractors(std::int64_t starts) {
     return job;
 }
 
-// 1/2 beside no impact, which one start in twenty ends on.
+// 1/2 beside no impact, reached by one start in twenty.
 job::Job two_found(std::int64_t starts) {
     job::Job job = testing::job_170mm(0);
     job.columns = {3, 4, 2};
@@ -85,7 +86,7 @@ TEST(MultiStartCell, SharesAreThoseOfSingleSearches) {
     EXPECT_EQ(solved.attractors.at(static_cast<std::size_t>(solved.cell.start_attractor)).regime, own.regime);
     std::int64_t cycles = own.cycles;
     for (const CellResult& end : ends) cycles += end.cycles;
-    EXPECT_LT(solved.cell.cycles, cycles);  // later starts know what earlier ones found
+    EXPECT_LT(solved.cell.cycles, cycles);  // later starts use what earlier ones found
     EXPECT_GT(solved.cell.cycles, own.cycles + count);
 }
 
@@ -103,8 +104,7 @@ TEST(MultiStartCell, TheFirstStartOnEachAttractorIsTold) {
     }
 }
 
-// Without starts the cell's own motion is kicked: just below the smallest kick it comes back, and at it it
-// doesn't.
+// Without starts the cell's own motion is kicked: it returns just below the critical kick and does not at it.
 TEST(MultiStartCell, TheSmallestKickParts) {
     job::Job job = two_attractors(0);
     job.output.fields = {job::OptionalField::critical_kick};

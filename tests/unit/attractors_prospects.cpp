@@ -1,4 +1,4 @@
-// When later starts of a cell are called sooner: by the cycles that earlier ones took, and how they ended.
+// When later starts of a cell are classified sooner: from the cycles and outcomes of earlier ones.
 #include "attractors/prospects.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Prospects after(int starts, const CellResult& result) {
     return prospects;
 }
 
-// One more than was seen may end otherwise while one start is followed: of ten that is a tenth.
+// One more start than observed may end differently within the same time: of ten, that is a tenth.
 TEST(Prospects, ChaosIsKnownOnceTenStartsWereFollowedForAsLongAsOneIs) {
     EXPECT_FALSE(Prospects().sooner().chaos);
     EXPECT_FALSE(after(9, chaotic()).sooner().chaos);
@@ -44,7 +44,7 @@ TEST(Prospects, AStartThatEndedOtherwiseAsksForAsManyMore) {
     EXPECT_TRUE(prospects.sooner().chaos);
 }
 
-// However long they were followed: they might have been called chaotic all that time, and were not.
+// However long they were followed, they could have been called chaotic at any time and were not.
 TEST(Prospects, StartsThatStayedUnresolvedForLongArentLikeChaos) {
     Prospects prospects;
     for (int n = 0; n < 5; ++n) {
@@ -55,7 +55,7 @@ TEST(Prospects, StartsThatStayedUnresolvedForLongArentLikeChaos) {
     EXPECT_FALSE(prospects.sooner().chaos);
 }
 
-// What settled at once, or slowly but surely, was never like chaos.
+// Motions that settled at once, or slowly but steadily, never resembled chaos.
 TEST(Prospects, StartsThatRememberTheirBeginningTellNothing) {
     Prospects prospects = after(10, chaotic());
     for (int n = 0; n < 20; ++n) {
@@ -77,7 +77,7 @@ TEST(Prospects, UnresolvedStartsAreGivenUpSoonerOnlyWhereNoneEndsInTheMeantime) 
     EXPECT_FALSE(prospects.sooner().unresolved);
 }
 
-// Else chaos that isn't known well enough would be cut short.
+// Otherwise chaos with uncertain statistics would be cut short.
 TEST(Prospects, WhereThereIsChaosItHasToBeKnownFirst) {
     const CellResult unresolved{
         .regime = Regime::unresolved, .cycles = 3000, .observed_cycles = 3000, .sensitivity = 3};

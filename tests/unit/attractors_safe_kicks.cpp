@@ -1,4 +1,4 @@
-// The lower bound of critical kicks, against plain runs.
+// The lower bound of critical kicks, against plain simulations.
 #include "attractors/safe_kicks.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::optional<double> safe(const Settled& settled, double most) {
     return largest_safe_kick(orbit, settled.known, settled.oscillator, settled.found, most);
 }
 
-// Of all phases, contact included, where they were not tried when the bound was made.
+// At all phases, contact included, including those not tried for the bound.
 void expect_all_come_back(const Settled& settled, double size) {
     KickedOrbit orbit(settled.oscillator, settled.found);
     for (int n = 0; n < 500; ++n) {
@@ -62,7 +62,7 @@ TEST(SafeKicks, LeadBackAtAllPhases) {
     }
 }
 
-// Whether kicks of this size, at the phases that are tried, end their period there.
+// Whether kicks of this size, at the trial phases, end their period in this neighbourhood.
 bool land_in(const regime::Neighbourhood& place, const Settled& settled, double size) {
     regime::CycleBroker broker;
     const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, broker);
@@ -76,7 +76,7 @@ bool land_in(const regime::Neighbourhood& place, const Settled& settled, double 
     return true;
 }
 
-// The same with another point of the orbit as its first one.
+// The same with another point of the orbit as the first.
 Settled from_next_point(Settled settled) {
     const auto next = KickedOrbit(settled.oscillator, settled.found).after({1, 0});
     EXPECT_TRUE(next.has_value());
@@ -85,7 +85,8 @@ Settled from_next_point(Settled settled) {
     return settled;
 }
 
-// Places on all sides of the orbit's point, so that each lets in fewer kicks of some phases and one direction.
+// Neighbourhoods on all sides of the orbit's point, so that
+// each admits fewer kicks of some phases and one direction.
 void expect_half_of_what_lands_in_places_of(Settled settled) {
     regime::CycleBroker broker;
     const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, broker);
@@ -128,7 +129,7 @@ TEST(SafeKicks, AreNotTriedOnLongOrbits) {
     Settled settled = settled_at(2, 0);
     regime::CycleBroker broker;
     const auto places = complete(regime::find_places(broker, settled.oscillator, settled.found, 1), broker);
-    for (const int period : {8, 9}) {  // the same orbit, gone round so many times
+    for (const int period : {8, 9}) {  // the same orbit, traversed this many times
         settled.found.result.period = period;
         settled.known = {};
         settled.known.add(settled.oscillator, settled.found, places.neighbourhoods);

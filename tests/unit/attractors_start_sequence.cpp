@@ -1,4 +1,4 @@
-// The sequence of starts: where it lies, how evenly, and what the stop does to it.
+// The sequence of starts: its region, its uniformity, and the effect of the stop.
 #include "attractors/start_sequence.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ scene::Cell cell(double gap) {
     return cell;
 }
 
-// Of the unit square, from the absolute start.
+// Position in the unit square, from the absolute start.
 scene::State<double> in_unit_square(const scene::State<double>& start, double gap) {
     return {(start[0] + gap + 4) / (std::min(1.0, gap) + 4), (start[1] + 2.5 + 3) / 8};
 }
@@ -34,8 +34,8 @@ TEST(StartSequence, BeginsInTheMiddleAndStepsByPowersOfThePlasticNumber) {
     }
 }
 
-// The share of the points in any corner rectangle is its area: for random points the largest deviation would be
-// about 0.04.
+// The share of the points in any corner rectangle approximates its area (star discrepancy): for random points
+// the largest deviation would be about 0.04.
 TEST(StartSequence, HasALowDiscrepancy) {
     std::vector<scene::State<double>> points;
     for (std::int64_t n = 0; n < 1024; ++n) points.push_back(in_unit_square(start_of(starts, cell(3), n), 3));

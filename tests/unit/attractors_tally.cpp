@@ -46,7 +46,7 @@ TEST(Tally, CountsEachAttractorOnceAndAllChaosAsOne) {
     EXPECT_EQ(as_attractor(entries[1], 7).share, 2.0 / 7);
 }
 
-// One start whose way rounding may turn says nothing against an orbit that another start reached without doubt.
+// A start sensitive to rounding is no evidence against an orbit that another start reached reliably.
 TEST(Tally, HasTheStatusOfTheStartThatLeavesLeastOpen) {
     using enum regime::Status;
     const auto status_after = [](std::initializer_list<regime::Status> statuses) {
@@ -84,7 +84,7 @@ TEST(Tally, OrdersEqualSharesByRegimePeriodImpactsAndForce) {
     EXPECT_EQ(slot_of(entries, orbit(1, 3, 0.2, 9)), -1);
 }
 
-// The weak cubic spring may be left out of one start and kept for the next: the same attractor all the same.
+// The weak cubic spring may be omitted for one start and kept for the next: the attractor is still the same.
 TEST(Tally, AnOrbitIsTheSameWithAndWithoutAWeakTerm) {
     Tally tally;
     CellResult with = orbit(1, 1, 0.5 + 1e-4);
@@ -96,7 +96,7 @@ TEST(Tally, AnOrbitIsTheSameWithAndWithoutAWeakTerm) {
     EXPECT_EQ(tally.in_order().size(), 2U);
 }
 
-// What [start] ends on is one of a cell's attractors, whether another start found it or not.
+// The end state of [start] is one of a cell's attractors, whether another start found it or not.
 TEST(Tally, KeepsTheOwnMotionAndTheLargestShares) {
     const auto kept_with = [](const CellResult& own, std::size_t most) {
         Tally tally;

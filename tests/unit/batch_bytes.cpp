@@ -1,5 +1,5 @@
-// A cell's numbers depend on the cell and its state alone: not on its slot, its neighbours, the batch's size,
-// or the instruction set, as long as the arithmetic is the same.
+// A cell's numbers depend only on the cell and its state: not on its slot, its neighbours, the batch's size,
+// or the instruction set, if the arithmetic is the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace peterka::testing {
 namespace {
 
-// Everything that a cycle gives, as bytes.
+// All results of a cycle, as bytes.
 using Bytes = std::vector<unsigned char>;
 
 template <class Number>
@@ -46,7 +46,7 @@ Bytes bytes_of(const batch::BatchedCycleMap& map, std::size_t slot) {
     return bytes;
 }
 
-// What a batch has a kernel for.
+// A kind of cells for which the batch has a kernel.
 struct Kind {
     const char* name;
     scene::Oscillator<double> rig;
@@ -81,7 +81,7 @@ class Batch {
     void advance(int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) map_.advance({.measure = true, .jacobian = true});
     }
-    // Those whose events don't wait for others.
+    // Advances the cells whose events need not wait for others.
     void carry_on() { map_.advance({.measure = true, .jacobian = true, .whole = false}); }
     [[nodiscard]] bool is_at_end(std::size_t slot) const { return map_.is_at_end(slot); }
     [[nodiscard]] std::size_t cell_in(std::size_t slot) const { return cell_in_[slot]; }
@@ -100,7 +100,7 @@ class Batch {
     std::vector<std::size_t> cell_in_;  // by slot
 };
 
-// After so many cycles, in the order given.
+// Runs this many cycles, in the given order.
 std::map<std::size_t, Bytes> run(const std::vector<BatchCell>& cells, const std::vector<std::size_t>& order,
                                  const Kind& kind) {
     Batch batch(cells, order.size(), kind);
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, BatchBytes, ::testing::Values(linear_kind, split
 
 TEST_P(BatchBytes, DontDependOnSlotOrNeighbours) {
     auto cells = random_cells(41, 300, 0.5, 4.5, 0, 3);
-    cells[5].frequency = 1 + 1e-5;  // resonant: the twin's
+    cells[5].frequency = 1 + 1e-5;  // resonant: handled by the twin
     cells[6].frequency = 1 + 1e-5;
     const auto expected = run(cells, in_order(cells.size()), GetParam());
     auto order = in_order(cells.size());
@@ -140,7 +140,7 @@ TEST_P(BatchBytes, DontDependOnComingAndGoing) {
     for (const std::size_t cell : in_order(cells.size())) first.add(cell);
     first.advance(4);
     for (const std::size_t slot : {299U, 5U, 5U, 0U, 17U}) second.take(first, slot);
-    first.remove(40);  // a cell that is done
+    first.remove(40);  // a finished cell
     while (second.size() < 120) second.take(first, second.size() % first.size());
     first.advance(11);
     second.advance(11);
@@ -150,7 +150,7 @@ TEST_P(BatchBytes, DontDependOnComingAndGoing) {
     for (const auto& [cell, of_cell] : bytes) EXPECT_TRUE(of_cell == expected.at(cell)) << cell;
 }
 
-// Cells come to the end of their cycles at different times, and leave after 15 of them.
+// Cells reach the end of their cycles at different times, and leave after 15 of them.
 TEST_P(BatchBytes, DontDependOnWhichEventsWaitForOthers) {
     auto cells = random_cells(46, 300, 0.5, 4.5, -0.5, 3);
     cells[5].frequency = cells[6].frequency = 1 + 1e-5;
@@ -187,7 +187,7 @@ TEST_P(BatchBytes, DontDependOnWhatElseIsWanted) {
     plain.advance({});
     full.advance({.measure = true, .jacobian = true});
     for (std::size_t n = 0; n < cells.size(); ++n) {
-        // what is measured may be what only the twin can measure, whose rounding is its own
+        // the measured run may need the twin, which rounds differently
         EXPECT_NEAR(plain.state(n)[0], full.state(n)[0], 1e-11);
         same += plain.state(n) == full.state(n) && plain.cycle(n).pattern == full.cycle(n).pattern ? 1 : 0;
     }

@@ -37,7 +37,7 @@ bool same_events(const Cycle<double>& a, const Cycle<double>& b) {
            a.separated == b.separated && a.outcome == b.outcome;
 }
 
-// Starts closer than both engines' rounding errors have different events: the case is a graze.
+// Starts that differ by less than the rounding errors of both engines have different events: a graze.
 bool is_graze(const Twin& twin, const scene::State<double>& x, const Cycle<double>& expected) {
     const double tiny = 1e-13 * (1 + std::abs(twin.oscillator.gap) + x.norm());
     for (const auto& shift : {scene::State<double>(tiny, 0), scene::State<double>(-tiny, 0),
@@ -47,13 +47,13 @@ bool is_graze(const Twin& twin, const scene::State<double>& x, const Cycle<doubl
     return false;
 }
 
-// Largest singular value, at most: by how much a rounding error of the start grows.
+// Upper bound of the largest singular value: the growth of a rounding error of the start.
 double growth(const Cycle<double>& cycle) {
     return 1 + cycle.jacobian.norm();
 }
 
-// The same of the most that it grew on the way: a rigid stop of small restitution takes from it again, and rest
-// on the stop all.
+// The same for the largest growth on the way: a rigid stop of small restitution contracts afterwards, and
+// sticking contracts completely.
 double growth_on_way(const Twin& twin, const scene::State<double>& x, const Cycle<double>& cycle) {
     if (!scene::is_rigid(twin.oscillator.contact)) return growth(cycle);
     constexpr int parts = 32;
@@ -65,7 +65,7 @@ double growth_on_way(const Twin& twin, const scene::State<double>& x, const Cycl
     return largest;
 }
 
-// What was gathered of impacts on a rigid stop, the numbers relative to the twin's.
+// Impact totals on a rigid stop, relative to the twin's.
 void compare_totals(const trajectory::Totals<double>& told, const trajectory::Totals<double>& expected,
                     double most_growth, Comparison& result) {
     if (told.impacts != expected.impacts || told.chatter != expected.chatter ||
@@ -97,7 +97,7 @@ void compare(const Twin& twin, const scene::State<double>& x, const batch::Batch
     const double size = 1 + std::abs(twin.oscillator.gap) + x.norm() + expected.end.norm();
     result.state = std::max(result.state, (cycle.end - expected.end).norm() / (size * growth(expected)));
     const double most_growth = growth_on_way(twin, x, expected);
-    // what presses a hammer at rest on a rigid stop is the difference of forcing and springs
+    // a hammer at rest on a rigid stop is pressed by the difference of forcing and springs
     const bool rigid = scene::is_rigid(twin.oscillator.contact);
     const double force =
         recorder.totals().largest_force + (rigid ? twin.oscillator.drive() + std::abs(twin.oscillator.gap) : 0);
@@ -105,19 +105,19 @@ void compare(const Twin& twin, const scene::State<double>& x, const batch::Batch
     if (force_difference > 0) {
         result.peak_force = std::max(result.peak_force, force_difference / (force * most_growth));
     }
-    // Next to grazing the impact speed v is the root of twice the height missed times the acceleration, and the
-    // Jacobian is of the order of 1/v: an error of the height changes it by that times 1/v^3.
+    // Near grazing the impact speed v is the square root of twice the missed height times the acceleration,
+    // and the Jacobian is O(1/v): an error of the height changes it by that error times 1/v^3.
     const double jacobian = (cycle.jacobian - expected.jacobian).norm() / std::pow(most_growth, 3);
     result.jacobian = std::max(result.jacobian, jacobian);
     const double bound = map.displacement_bound(slot);
     const auto& totals = recorder.totals();
-    // where a rigid stop presses at phase 0 a chatter goes on across the ends of cycles
+    // where a rigid stop is pressed at phase 0, chatter continues across the ends of cycles
     if (rigid && twin.oscillator.gap >= 0) compare_totals(map.totals(slot), totals, most_growth, result);
     result.bound_too_low = std::max(result.bound_too_low, 1 - bound / totals.largest_displacement);
     result.bound_too_high = std::max(result.bound_too_high, bound / totals.displacement_bound - 1);
 }
 
-// So many cycles of cells that are in the batch.
+// Advances cells already in the batch by this many cycles.
 template <class Cell>
 Comparison compare_cycles(batch::BatchedCycleMap& map, const std::vector<Twin>& twins, std::vector<Cell>& cells,
                           int cycles) {

@@ -1,5 +1,5 @@
-// Rare states of the kernel, built by hand: flights that come through the stop, back and through it once more
-// between two points of its grid. What counts is the first time, however short the impact.
+// Rare states of the kernel, constructed by hand: flights that cross the stop, return and cross it again
+// between two points of its grid. The first crossing counts, however short the impact.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int steps = 16;
 
-// A state of the free hammer, moved in time by the closed form.
+// A state of the free hammer, propagated in time by the closed form.
 scene::State<double> flown(const scene::Oscillator<double>& rig, const scene::State<double>& x, double from,
                            double to) {
     const double eta = rig.frequency;
@@ -36,12 +36,12 @@ scene::State<double> flown(const scene::Oscillator<double>& rig, const scene::St
                                                      free[1] * (c - zeta * s) - free[0] * s);
 }
 
-// At some moment the stop is passed downwards, slowly, without acceleration but with a jerk upwards: nearly a
-// cubic with three roots, which lie `apart` from each other.
+// The stop is passed downwards, slowly, without acceleration but with an upward jerk: nearly a cubic with
+// three roots, spaced by `apart`.
 struct WavyFlight {
     BatchCell cell;
-    // How much of its force rounding may move: the touch is as slow as jerk apart^2/6 and accelerated by jerk
-    // apart, so that a height that is off by h moves its speed by 36 h/(jerk apart^3) of it; h is some 1e-14.
+    // Relative effect of rounding on the force: the touch has speed jerk apart^2/6 and acceleration jerk
+    // apart, so a height error h changes its speed by the fraction 36 h/(jerk apart^3); h is about 1e-14.
     double rounding;
 };
 WavyFlight wavy_flight(std::mt19937& random, scene::Oscillator<double> rig) {
@@ -73,12 +73,12 @@ TEST(BatchMeeting, IsTheFirstOfThreeInOneStep) {
     const Comparison c = compare_with_twin(rig, cells, steps, 1);
     EXPECT_EQ(c.different_events, c.grazes);
     EXPECT_LE(c.grazes, 40);
-    EXPECT_GT(c.impacts, 2 * c.cycles * 9 / 10);  // the short one, and that after it
+    EXPECT_GT(c.impacts, 2 * c.cycles * 9 / 10);  // the short impact and the following one
     EXPECT_LT(c.state, state_tolerance);
 }
 
-// Flights whose top lies a little above or below a rigid stop, as high as a touch that is nearly lost in
-// rounding.
+// Flights whose apex lies slightly above or below a rigid
+// stop, at heights where a touch is nearly lost in rounding.
 TEST(BatchMeeting, GrazesOfARigidStop) {
     std::mt19937 random(8);
     const auto between = [&](double low, double high) {
@@ -98,8 +98,8 @@ TEST(BatchMeeting, GrazesOfARigidStop) {
             const BatchCell cell{rig.frequency, rig.gap, flown(rig, {signed_height, 0}, top, 0)};
             if (cell.state[0] >= -1e-3) continue;
             cells.push_back(cell);
-            // The impact's Jacobian has a/v. A height that is off by h moves the touch by h/v, and a by the
-            // jerk times that; h is some 1e-14, and v^2 twice the height times what holds the hammer back.
+            // The impact's Jacobian contains a/v. A height error h moves the touch by h/v, and a by the jerk
+            // times that; h is about 1e-14, and v^2 is twice the height times the deceleration.
             const double rounding = 1e-14 * rig.drive() * rig.frequency / (2 * held_back * height);
             EXPECT_LT(compare_with_twin(rig, {cell}, steps, 1).jacobian, jacobian_tolerance + rounding);
         }

@@ -1,5 +1,5 @@
-// Cells with rigs of their own in one batch, against the scalar twin of each, and whether their company
-// matters.
+// Cells with individual rigs in one batch, against the
+// scalar twin of each, and independence of the other cells.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 using batch::BatchedCycleMap;
 using batch::Springs;
 
-// Springs, dampers and stops that have nothing in common; cubic: largest of the springs.
+// Unrelated springs, dampers and stops; cubic: the largest cubic stiffness.
 std::vector<OwnRigCell> cells_with_rigs(unsigned seed, std::size_t count, double cubic) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -35,8 +35,8 @@ std::vector<OwnRigCell> cells_with_rigs(unsigned seed, std::size_t count, double
     return cells;
 }
 
-// All contacts are followed as those of any length, whose release is known to 1e-12 of their own period; the
-// force falls there with kappa, and so does the flow's slope.
+// All contacts are treated as of arbitrary length, with the release known to 1e-12 of the contact's period;
+// the force falls there with kappa, and so does the flow's slope.
 void expect_agreement_of_own(Comparison c) {
     EXPECT_LT(c.jacobian, 1e-9);
     c.jacobian = 0;
@@ -65,7 +65,7 @@ TEST(BatchOwnRigs, CubicSprings) {
     }
 }
 
-// A stop that doesn't swing is the twin's, in whatever company.
+// A non-oscillating stop is left to the twin, in any batch.
 TEST(BatchOwnRigs, StopsThatDoNotSwing) {
     auto cells = cells_with_rigs(5, 60, 0);
     for (std::size_t n = 0; n < cells.size(); n += 2) {
@@ -77,7 +77,7 @@ TEST(BatchOwnRigs, StopsThatDoNotSwing) {
     EXPECT_GE(c.left_to_twin, c.cycles / 2);
 }
 
-// Alone, in company that comes and goes, and with each instruction set of the same arithmetic.
+// Alone, in changing company, and with each instruction set of the same arithmetic.
 TEST(BatchOwnRigs, ACellDependsOnItselfAlone) {
     for (const Springs springs : {Springs::linear, Springs::split}) {
         const auto cells = cells_with_rigs(11, 90, springs == Springs::split ? 1e-3 : 0);

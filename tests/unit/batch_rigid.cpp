@@ -20,7 +20,7 @@ class BatchRigid : public ::testing::Test {
     ~BatchRigid() override { batch::use_instruction_set(0); }
 };
 
-// From grazing to hard, pressed and not, some at rest on the stop.
+// From grazing to hard, preloaded and not, some sticking to the stop.
 std::vector<BatchCell> cells_for_rigid(unsigned seed, std::size_t count, double least_gap) {
     auto cells = random_cells(seed, count, 0.5, 4.5, least_gap, 3);
     for (auto& cell : cells) cell.state[0] = -std::abs(cell.state[0]);
@@ -32,7 +32,7 @@ void expect_rigid_agreement(const Comparison& c) {
     EXPECT_EQ(c.different_events, c.grazes);
     EXPECT_LE(c.grazes, c.cycles / 1000);
     EXPECT_EQ(c.different_totals, 0);
-    EXPECT_LT(c.totals, 1e-11);  // a contact's time is known to rounding over its speed, which is 1e-5 at least
+    EXPECT_LT(c.totals, 1e-11);  // a contact's time is known to rounding over its speed, which is at least 1e-5
     EXPECT_LT(c.state, state_tolerance);
     EXPECT_LT(c.peak_force, 1e-12);
     EXPECT_LT(c.jacobian, jacobian_tolerance);
@@ -90,7 +90,7 @@ TEST_F(BatchRigid, RigsOfTheirOwn) {
     EXPECT_LT(c.left_to_twin, c.cycles / 50);
 }
 
-// Impacts, chatter and rest from the start on need no twin.
+// Impacts, chatter and sticking from the beginning need no twin.
 TEST_F(BatchRigid, SlowForcing) {
     for (const double r : {0.0, 0.3, 0.6, 0.8}) {
         SCOPED_TRACE(r);
@@ -118,7 +118,7 @@ TEST_F(BatchRigid, RestThatNeverEnds) {
     EXPECT_EQ(map.left_to_twin(), 0);
 }
 
-// Orbits 1/n in closed form, and the same in long double.
+// Orbits 1/n in closed form, also in long double.
 TEST_F(BatchRigid, SingleImpactOrbitsHaveTheSpeedOfTheFormula) {
     struct Case {
         double frequency, gap, speed;

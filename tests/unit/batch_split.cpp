@@ -17,7 +17,7 @@ Comparison compare_split(const scene::Oscillator<double>& rig, const std::vector
     return compare_with_twin(rig, cells, {kicks, Springs::split}, cycles);
 }
 
-// Their settled orbits need no twin.
+// Their steady orbits need no twin.
 TEST(BatchSplit, RegularCells) {
     for (const auto& [frequency, gap] : regular_cells) {
         const auto oscillator = cubic_rig(paper_cubic, frequency, gap);
@@ -43,7 +43,7 @@ TEST(BatchSplit, RandomCells) {
     }
 }
 
-// Kicks fall into most contacts where these last longer than a step, and into the way out of a damped stop.
+// Kicks fall into most contacts longer than a step, and into the slow separation from a damped stop.
 TEST(BatchSplit, KicksWithinContacts) {
     for (const double contact_damping_ratio : {0.0, 0.2, 0.8}) {
         for (const double stiffness : {10.0, 1e3}) {
@@ -56,13 +56,13 @@ TEST(BatchSplit, KicksWithinContacts) {
             const Comparison c = compare_split(rig, random_cells(8, 200, 0.5, 4.5, -2, 2), 48, 6);
             expect_agreement(c);
             EXPECT_GT(c.impacts, 700);
-            // from a soft and damped stop it leaves slowly
+            // the separation from a soft, damped stop is slow
             EXPECT_LT(c.left_to_twin, c.cycles / 100);
         }
     }
 }
 
-// A spring that presses the hammer on the stop: every kick falls into the contact.
+// A spring that presses the hammer against the stop: every kick falls into the contact.
 TEST(BatchSplit, SustainedContact) {
     const auto rig = cubic_rig(1e-2);
     BatchedCycleMap map(rig, 1, 16, Springs::split);
@@ -72,11 +72,11 @@ TEST(BatchSplit, SustainedContact) {
     EXPECT_TRUE(map.cycle(0).touched);
     EXPECT_FALSE(map.cycle(0).separated);
     EXPECT_EQ(map.left_to_twin(), 0);
-    // the load of the springs, and what the forcing adds to it
+    // the springs' load plus the contribution of the forcing
     EXPECT_NEAR(map.peak_force(0), 3 + 1e-2 * 27 + 0.36, 1e-3);
 }
 
-// At second order, towards the solution of the cubic equation itself.
+// Second-order convergence (Strang 1968) to the solution of the cubic equation itself.
 TEST(BatchSplit, ErrorFallsWithTheSquareOfTheStep) {
     const auto rig = cubic_rig(3e-2);
     const BatchCell cell{1.7, 0.5, {-2.5, 1.0}};
@@ -103,7 +103,7 @@ TEST(BatchSplit, WhatTheKernelCannotDoIsTheTwins) {
     Comparison c = compare_split(absolute, cells, 16, 2);
     EXPECT_EQ(c.left_to_twin, c.cycles);
     EXPECT_EQ(c.different_events, 0);
-    // kicks too far apart for the kernel's series, and springs that give way
+    // kicks too far apart for the kernel's series, and springs that lose stability
     c = compare_split(cubic_rig(1e-3), cells, 6, 2);
     EXPECT_EQ(c.left_to_twin, c.cycles);
     c = compare_split(cubic_rig(-0.5), {{2, 1.5, {-1, 0}}}, 16, 1);

@@ -41,7 +41,7 @@ TEST(BatchTwin, RandomCellsOfTheWindow) {
     }
 }
 
-// Fewer steps flag more of them; the events must be the same.
+// Fewer steps flag more of them; the events must be identical.
 TEST(BatchTwin, FewSteps) {
     const auto rig = paper_rig(beam_170mm, 1, 0);
     for (const int steps : {10, 12, 14}) {
@@ -80,7 +80,7 @@ TEST(BatchTwin, StepsFollowFromTheFrequency) {
     EXPECT_EQ(BatchedCycleMap::steps_for(0.3), 32);
 }
 
-// Slow forcing: finer grids; slower still, or resonant: the twin's.
+// Slow forcing uses finer grids; slower still, or resonant, is left to the twin.
 TEST(BatchTwin, SlowForcing) {
     const auto rig = paper_rig(beam_170mm, 1, 0);
     for (const double frequency : {0.25, 0.12, 0.05}) {

@@ -1,5 +1,5 @@
-// Corrupted inputs: none may be proved where the statement is false. Each kind of corruption counts how many of
-// its inputs came to the step that has to refuse them, so that none passes for want of trying.
+// Corrupted inputs: none may be proved if the statement is false. For each kind of corruption the inputs that
+// reach the rejecting step are counted, so that the test cannot pass vacuously.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -20,15 +20,15 @@ using cell::Certified;
 using testing::claim_of;
 using testing::SolvedPlace;
 
-constexpr int grid = 30;  // cells of a side
+constexpr int grid = 30;  // cells per side
 
 const std::vector<SolvedPlace>& periodic_cells() {
     static const std::vector<SolvedPlace> cells = testing::cells_of(regime::Regime::periodic, grid);
     return cells;
 }
 
-// What the engine makes of a chain: how far its state at some phase 0 moves in q cycles, how often it touches
-// the stop in them, and its largest multiplier.
+// The engine's result for a chain: how far its state at some phase 0 moves in q cycles, the number of touches
+// in them, and the largest multiplier.
 struct ByEngine {
     double moved = 0;
     int impacts = 0;
@@ -38,7 +38,7 @@ struct ByEngine {
 ByEngine by_engine(const job::CellNumbers& numbers, const EventChain& chain) {
     const Springs<double> springs(middle(*rig_of(numbers)));
     std::size_t i = 0;
-    while (chain.cycles_of_leg(i) < 1) ++i;  // its leg passes the end of a cycle
+    while (chain.cycles_of_leg(i) < 1) ++i;  // its leg crosses the end of a cycle
     const auto leg = leg_of(springs, chain, places_of(chain), i).leg;
     const Moment<double> moment = leg.at(springs.rig.period - chain.events[i].time);
     const scene::State<double> start(moment.state.position, moment.state.velocity);
@@ -57,7 +57,7 @@ ByEngine by_engine(const job::CellNumbers& numbers, const EventChain& chain) {
     return seen;
 }
 
-// Newton's method on its equations; whether it came to an end.
+// Newton's method on its equations; returns whether it converged.
 bool solve(const Springs<double>& springs, EventChain& chain) {
     double last = INFINITY;
     for (int steps = 0; steps < 30; ++steps) {
@@ -105,7 +105,7 @@ TEST(CertificateAttacks, OtherNumbersOfImpactsAreRefused) {
     }
 }
 
-// Period and events halved: mostly the orbit that lost its stability where this one came into being.
+// Period and events halved: usually the orbit that lost stability where this one was born.
 TEST(CertificateAttacks, UnstableOrbitsAreRefused) {
     int refused = 0;
     for (const SolvedPlace& place : periodic_cells()) {
@@ -132,8 +132,8 @@ TEST(CertificateAttacks, UnstableOrbitsAreRefused) {
     EXPECT_GT(refused, 5);
 }
 
-// Two neighbouring events out of the chain: its equations may well have a solution, mostly one that passes
-// through the stop or is pulled by it. Where it is a motion after all, the engine has to say so.
+// Two neighbouring events removed from the chain: its equations may well have a solution, usually one that
+// passes through the stop or is pulled by it. If it is a motion after all, the engine must confirm it.
 TEST(CertificateAttacks, AContactLeftOutIsRefused) {
     int refused = 0;
     for (const SolvedPlace& place : periodic_cells()) {
@@ -160,7 +160,7 @@ TEST(CertificateAttacks, AContactLeftOutIsRefused) {
     EXPECT_GT(refused, 20);
 }
 
-// Another gap, another stop, another damping: what is proved then has to be what an engine finds there.
+// Another gap, stop or damping: whatever is proved then must be what an engine finds there.
 TEST(CertificateAttacks, OtherPlacesAndRigsAreProvedOnlyWhereTheEngineFindsTheSame) {
     std::mt19937_64 random(8);
     std::uniform_real_distribution<double> change(0.8, 1.25);
@@ -182,7 +182,7 @@ TEST(CertificateAttacks, OtherPlacesAndRigsAreProvedOnlyWhereTheEngineFindsTheSa
             const regime::CellResult again =
                 testing::solve(testing::oscillator_at(numbers), place.cell.orbit_displacement,
                                place.cell.orbit_velocity + numbers.place.frequency_ratio);
-            if (!regime::same_label(again, place.cell)) continue;  // the start led elsewhere
+            if (!regime::same_label(again, place.cell)) continue;  // the start leads elsewhere
             const double force = again.peak_force * scene::scales_of(numbers).force_ratio();
             EXPECT_LT(std::abs(force / certificate.force_ratio.middle() - 1), 1e-8);
         }

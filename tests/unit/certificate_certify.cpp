@@ -1,4 +1,4 @@
-// What is proved of cells, against the engine, which shares no code with the proofs.
+// Proofs for cells, against the engine, which shares no code with them.
 #include "certificate/certify.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,9 @@ double force_of(const SolvedPlace& place) {
     return place.cell.peak_force * scene::scales_of(place.numbers).force_ratio();
 }
 
-// The multipliers are not stored; their product follows from the dissipation alone only in flight. So the
-// margin is compared with the largest of them: 1 + det - |tr| = (1 - |m1|)(1 - |m2|) for real ones of one sign.
+// The multipliers are not stored; only in flight does their product follow from
+// the dissipation alone. The margin is therefore compared with the largest of
+// them: 1 + det - |tr| = (1 - |m1|)(1 - |m2|) for real ones of equal sign.
 TEST(Certify, MostOrbitsOfAPlaneAreProved) {
     const auto cells = testing::cells_of(regime::Regime::periodic, 30);
     ASSERT_GT(cells.size(), 250U);
@@ -54,7 +55,7 @@ TEST(Certify, NoImpactIsProvedFromTheStart) {
     EXPECT_GT(from_start, cells.size() / 2);
 }
 
-// Where the start strikes first, the way is not proved, though the motion without impact is.
+// If the start strikes first, the transient is not proved, though the motion without impact is.
 TEST(Certify, AStartThatStrikesProvesTheMotionAlone) {
     job::CellNumbers numbers = testing::numbers_170mm(3, 3);
     EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::start);
@@ -62,8 +63,8 @@ TEST(Certify, AStartThatStrikesProvesTheMotionAlone) {
     EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::orbit);
 }
 
-// The steady swing has the amplitude eta^2/|1 - eta^2 + 2 i zeta eta|: a gap below it is no motion without
-// impact.
+// The steady oscillation has the amplitude eta^2/|1 - eta^2 + 2
+// i zeta eta|: a smaller gap rules out motion without impact.
 TEST(Certify, NoImpactIsNotProvedBelowTheAmplitude) {
     const double amplitude = testing::free_amplitude(testing::oscillator_at(testing::numbers_170mm(2, 3)));
     const auto verdict = [&](double gap) {
@@ -113,7 +114,7 @@ TEST(Certify, WhatHasNoTheoremIsNotProved) {
     EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::other_stop);
 }
 
-// By an integrator with every term, at a place where the cubic term moves the force by more than all errors.
+// By an integrator with all terms, at a cell where the cubic term changes the force by more than all errors.
 TEST(Certify, TheCubicTermIsPartOfWhatIsProved) {
     for (const job::CubicForm form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         for (const auto& [frequency, gap] : {std::pair(2.0, 0.0), std::pair(1.3, 1.0), std::pair(2.75, 0.0)}) {
@@ -140,11 +141,11 @@ TEST(Certify, NoImpactIsProvedWithTheCubicTerm) {
     numbers.hammer.cubic_stiffness_n_per_m3 = 238.2325;
     EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::start);
     const double amplitude = testing::free_amplitude(testing::oscillator_at(numbers));
-    numbers.place.gap_ratio = amplitude * (1 + 1e-9);  // less room than the cubic term may take
+    numbers.place.gap_ratio = amplitude * (1 + 1e-9);  // less clearance than the cubic term may take
     EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::near_grazing);
 }
 
-// Without damping anywhere nothing attracts.
+// Without any damping there is no attractor.
 TEST(Certify, WhatLosesNothingIsNotSurelyStable) {
     job::CellNumbers numbers = testing::numbers_170mm(3, 3);
     numbers.hammer.damping_ns_per_m = 0;

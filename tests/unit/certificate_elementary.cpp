@@ -1,5 +1,5 @@
-// Enclosures of elementary functions against Arb, whose balls are proved, too: at points of all sizes, and on
-// intervals of all widths.
+// Enclosures of elementary functions against Arb, whose balls are rigorous too: at points of all magnitudes,
+// and on intervals of all widths.
 #include <gtest/gtest.h>
 
 #if __has_include(<flint/arb.h>)
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int points = 200'000;
 
-// A number of Arb, to 150 bits.
+// An Arb number with 150 bits.
 class Ball {
   public:
     Ball() { arb_init(ball_); }
@@ -42,7 +42,7 @@ class Ball {
     arb_t ball_;
 };
 
-// Magnitudes from 2^-40 to the largest, evenly in their logarithm, of both signs.
+// Magnitudes from 2^-40 to the largest, log-uniform, of both signs.
 class Arguments {
   public:
     explicit Arguments(double largest) : exponent_(-40, std::log2(largest)) {}

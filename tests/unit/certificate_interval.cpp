@@ -1,4 +1,4 @@
-// Operations of intervals against long doubles, whose 64 bits tell on which side of a double a result lies.
+// Interval operations against long doubles, whose 64 bits show on which side of a double a result lies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ TEST(CertificateInterval, ProductsOfAnySignsHoldThoseOfTheirPoints) {
     }
 }
 
-// What can't be enclosed must answer every question with no, however it is computed on.
+// Operands that cannot be enclosed must answer every predicate with no, through any further operations.
 TEST(CertificateInterval, NothingIsProvedOfNothing) {
     const Interval beyond = Interval(1e308) * Interval(10);
     const Interval by_zero = Interval(1) / Interval(-1, 1);

@@ -30,7 +30,7 @@ Seed end_of_orbit(const PlanePoint& from, const PlanePoint& to, const State<doub
     return *followed.seed;
 }
 
-// By the engine, from the orbit's own state: it returns after its period and not before.
+// By the engine, from the orbit's own state: it returns after its period and not earlier.
 void expect_returns(const OrbitPoint& point, std::int64_t period) {
     const auto oscillator = testing::paper_rig(testing::beam_170mm, point.place.column, point.place.row);
     const trajectory::ExactCycleMap<double> map(oscillator);

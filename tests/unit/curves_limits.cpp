@@ -1,4 +1,4 @@
-// Curves at the limits that are known from elsewhere: formulas, an independent run of the model, other engines.
+// Curves at limits known independently: formulas, an independent simulation of the model, other engines.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -16,7 +16,7 @@ namespace {
 
 const PlanePoint window{4, 5};
 
-// Beam springs of 170 mm, as the paper prints their numbers.
+// Beam springs of 170 mm, with the paper's printed numbers.
 scene::Oscillator<double> rig_170mm() {
     const double mass = 0.298;
     const double omega = 2 * std::numbers::pi * 4.5;
@@ -70,7 +70,7 @@ std::pair<int, int> label(const regime::CellResult& cell) {
     return {cell.impacts, cell.period};
 }
 
-// The numbers are those of an independent long-double program.
+// Reference values from an independent long-double program.
 TEST(Curves, LimitsOf11OnThe170mmRig) {
     const auto rig = rig_170mm();
     struct Known {
@@ -92,7 +92,7 @@ TEST(Curves, LimitsOf11OnThe170mmRig) {
     }
 }
 
-// Its multiplier comes to 1 there and goes back; beyond, the same orbit follows with its halves in turn.
+// Its multiplier reaches 1 there and turns back; beyond, the same orbit follows with its halves interchanged.
 TEST(Curves, ADoubledOrbitEndsWhereItMergesWithTheOneThatDoubled) {
     const auto rig = rig_170mm();
     for (const double frequency : {2.67323, 2.66, 2.7}) {
@@ -106,7 +106,7 @@ TEST(Curves, ADoubledOrbitEndsWhereItMergesWithTheOneThatDoubled) {
     }
 }
 
-// Two that undo each other: 3/1 of this rig doubles its period, and 6/2 merges back a little later.
+// Two that cancel: 3/1 of this rig doubles its period, and 6/2 merges back shortly after.
 TEST(Curves, ALongStepDoesNotPassOverADoublingAndItsReverse) {
     scene::Oscillator<double> rig = rig_170mm();
     const double unit = 0.298 * 2 * std::numbers::pi * 4.5;
@@ -166,8 +166,8 @@ TEST(Curves, MotionWithoutImpactEndsWhereItsSwingReachesTheStop) {
     }
 }
 
-// The fold of 1/1 and the edge of no impact meet in a point that each of them finds for itself: the fold where
-// its impact loses its speed, the edge where the orbit with the new impact has the multiplier 1. So do the
+// The fold of 1/1 and the edge of no impact meet at a point that each finds independently: the fold where its
+// impact speed vanishes, the edge where the orbit with the new impact has the multiplier 1. Likewise the
 // period doubling and the edge.
 TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
     const auto rig = rig_170mm();
@@ -190,7 +190,7 @@ TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
     }
 }
 
-// Beyond each point an orbit is another one: CVODE, which knows nothing of the closed form, finds it so.
+// Beyond each point the orbit is different: CVODE, which does not use the closed form, confirms it.
 TEST(Curves, AnotherEngineSeesTheEdges) {
     const std::pair one{1, 1};
     const double step = 1e-3;
@@ -205,7 +205,7 @@ TEST(Curves, AnotherEngineSeesTheEdges) {
     EXPECT_NE(label(by_cvode({1.862464993 + step, 1.5}, {-1, 2})), one);
 }
 
-// The closed form of all derivatives, against central differences.
+// All derivatives in closed form, against central differences.
 void expect_derivatives(const Rig& rig, const Seed& seed) {
     const Equations at = equations(rig, seed.point, conditions_of(seed.kind));
     for (Eigen::Index i = 0; i < at.jacobian.cols(); ++i) {
@@ -240,7 +240,7 @@ TEST(Curves, AMotionThatIsNoOrbitGivesNone) {
     EXPECT_FALSE(stable_orbit_near(Rig(rig), {3, 4}, {-4, -3}, 1, window));     // never touches
     EXPECT_FALSE(stable_orbit_near(Rig(rig), {0.3, 0}, {-0.1, 0}, 1, window));  // ends in chatter
     rig.damping_ratio = 0;
-    EXPECT_FALSE(end_of_free_motion(Rig(rig), {1.0, 0.0}, {1.0, 5.0}, window));  // its swing has no limit
+    EXPECT_FALSE(end_of_free_motion(Rig(rig), {1.0, 0.0}, {1.0, 5.0}, window));  // its amplitude is unbounded
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// How small changes grow over an orbit's period, against differences of the stroboscopic map in extended
-// precision; and the derivatives of det(M - sign I) against differences of it.
+// The monodromy matrix M against differences of the stroboscopic map in extended precision, and the
+// derivatives of det(M - sign I) against its differences.
 #include "curves/monodromy.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::optional<OrbitPoint> settled_orbit(scene::Oscillator<double> oscillator, co
     return stable_orbit_near(Rig(oscillator), place, x, period, plane);
 }
 
-// Of the map of q cycles, from the orbit's state at phase 0.
+// For the map of q cycles, from the orbit's state at phase 0.
 template <class Map, class Contact>
 Jacobian<double> by_differences(const scene::Oscillator<double>& rig, const Contact& contact,
                                 const OrbitPoint& point) {
@@ -65,7 +65,7 @@ Jacobian<double> by_differences(const scene::Oscillator<double>& rig, const Cont
     return jacobian;
 }
 
-// Along another event as the first one M is a similar matrix: trace and determinant are the same.
+// With another event as the first, M is similar: trace and determinant are the same.
 void expect_same_growth(const Monodromy& product, const Jacobian<double>& jacobian) {
     const double size = jacobian.norm();
     EXPECT_NEAR(product.matrix.trace(), jacobian.trace(), 1e-6 * size);
@@ -110,7 +110,7 @@ TEST(Monodromy, OfARigidStopIsTheJacobianOfItsCycles) {
     }
 }
 
-// At a doubling, where the value is 0, so that its scale plays no part.
+// At a period doubling, where the value is 0 and its scale is therefore irrelevant.
 void expect_derivatives_at_doubling(const scene::Oscillator<double>& rig, const OrbitPoint& stable,
                                     const PlanePoint& beyond) {
     const Rig rigs(rig);

@@ -1,6 +1,5 @@
-// Special points of grazing curves, whose orbits are integrated again by the plainest means: Runge-Kutta steps
-// of the equation of motion with the force of the stop as it is, which know nothing of events, curves or the
-// closed form.
+// Special points of grazing curves, whose orbits are integrated again by elementary means: Runge-Kutta steps
+// of the equation of motion with the stop's force as defined, without events, curves or the closed form.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -29,7 +28,7 @@ scene::Oscillator<double> beam_of_170mm() {
     return rig;
 }
 
-// A motion in steps of time, from a touch on.
+// A motion in time steps, from a touch on.
 class PlainMotion {
   public:
     PlainMotion(const scene::Oscillator<double>& rig, const OrbitPoint& orbit)
@@ -49,8 +48,7 @@ class PlainMotion {
     }
 
     [[nodiscard]] double off() const { return off_; }  // after one period
-    // Tops of flights that just reach the stop, and lowest points of flights beyond its surface that just leave
-    // it.
+    // Apexes of flights that just reach the stop, and minima of flights beyond its surface that just leave it.
     [[nodiscard]] std::int64_t touches_without_speed() const {
         const auto grazes = [](const State<double>& x) {
             return std::abs(x[0]) < 1e-9 && std::abs(x[1]) < 1e-6;
@@ -84,7 +82,7 @@ class PlainMotion {
         const State<double> d = slope(time_ + step, x_ + step * c);
         return x_ + step / 6 * (a + 2 * b + 2 * c + d);
     }
-    // The part of a step after which something has changed.
+    // The fraction of a step after which a predicate has changed.
     template <class Changed>
     [[nodiscard]] double part_until(double step, const Changed& changed) const {
         double before = 0;
@@ -136,7 +134,7 @@ class PlainMotion {
     std::vector<State<double>> presses_from_;
 };
 
-// The grazing curve met on the way from a place, where the motion from rest is stable, to another.
+// The grazing curve crossed between a point where the motion from rest is stable and another point.
 Curve grazing_curve(const PlanePoint& from, const PlanePoint& to, std::int64_t period) {
     scene::Oscillator<double> oscillator = beam_of_170mm();
     oscillator.frequency = from.column;
@@ -153,7 +151,7 @@ Curve grazing_curve(const PlanePoint& from, const PlanePoint& to, std::int64_t p
     return seed ? trace_curve(rig, *seed, {{0.5, 0}, {4.5, 5}}) : Curve{};
 }
 
-// The orbit at the first special point of a kind.
+// The orbit at the first special point of this kind.
 OrbitPoint orbit_at_special(const Curve& curve, SpecialKind kind) {
     const auto special = std::ranges::find(curve.specials, kind, &Special::kind);
     if (special == curve.specials.end()) {
@@ -166,7 +164,7 @@ OrbitPoint orbit_at_special(const Curve& curve, SpecialKind kind) {
     return {point->orbit, special->place};
 }
 
-// A cell of a map of 128 by 128 cells.
+// A cell of a 128 by 128 map.
 PlanePoint cell(int column, int row) {
     return {0.5 + 4.0 * column / 127, 5.0 * row / 127};
 }
@@ -185,7 +183,7 @@ TEST(CurvesSpecialPoints, WhereTwoGrazingsMeetTheOrbitTouchesTwiceWithoutSpeed) 
     }
 }
 
-// One multiplier of 1 and one of -1, or two on the unit circle, would need |det M| = 1.
+// Multipliers 1 and -1, or a pair on the unit circle, would require |det M| = 1.
 TEST(CurvesSpecialPoints, NoOrbitHasTwoMultipliersOnTheUnitCircle) {
     const Curve curve = grazing_curve(cell(78, 2), cell(79, 2), 2);
     const Rig rig(beam_of_170mm());

@@ -63,7 +63,7 @@ ExtrapolationOracle::Trial ExtrapolationOracle::trial(Real step) const {
                 now[i] = next;
             }
         }
-        // Aitken and Neville's rule in h^2; the table keeps the last row
+        // Aitken-Neville extrapolation in h^2; the table keeps the last row
         for (int j = 1; j <= k; ++j) {
             const Real ratio = Real(pieces) / Real(2 * (k - j + 1));
             Unknowns& coarser = table[static_cast<std::size_t>(j) - 1];
@@ -130,7 +130,7 @@ void ExtrapolationOracle::advance(int cycles) {
     close_impact();
 }
 
-// Where force or |u| stop growing within the step to come, both have one maximum.
+// If force or |u| stop growing within the next step, each has one maximum there.
 void ExtrapolationOracle::look_for_extrema(Real step) {
     const auto climb = [&](auto&& value) {
         Real from = 0;

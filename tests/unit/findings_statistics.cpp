@@ -1,4 +1,4 @@
-// The numbers of the summary, whatever the grouping of the cells they come from.
+// The numbers of the summary are independent of the grouping of the cells.
 #include "findings/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(OutputStatistics, LivesOfImpactsThatEnd) {
         cell.last_impact = cycles;
         return cell;
     };
-    quantities::StoredCell filled = cell_of(Regime::periodic, 1, 1, 1);  // has no run of its own
+    quantities::StoredCell filled = cell_of(Regime::periodic, 1, 1, 1);  // no run of its own
     filled.computed = false;
     Statistics statistics = statistics_of({ends_after(0), ends_after(30), ends_after(301), filled,
                                            cell_of(Regime::periodic, 1, 1, 1), cell_of(Regime::chaotic, 1),

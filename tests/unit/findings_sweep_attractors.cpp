@@ -24,8 +24,8 @@ StoredAttractor loop(std::int32_t impacts, std::int32_t period, double share) {
 
 const StoredAttractor swinging{.regime = Regime::no_impact, .impacts = 0, .period = 1, .share = 0.5};
 
-// Two branches of three points and two slots: at the first point both are on slot 0, at the second they are on
-// one each, at the third on slot 1.
+// Two branches of three points and two slots: at the first point both are on slot 0, at the second on one
+// slot each, at the third on slot 1.
 TEST(SweepAttractors, AreBesideTheBranchesWhereNoneIsOnThem) {
     const std::vector<StoredCell> cells{on_slot(0, 2), on_slot(0, 2), on_slot(1, 2),
                                         on_slot(0, 2), on_slot(1, 2), on_slot(1, 2)};
@@ -50,7 +50,7 @@ TEST(SweepAttractors, AreBesideTheBranchesWhereNoneIsOnThem) {
     EXPECT_FALSE(half.beside_its_like);
 }
 
-// A branch on a 1/1, and another 1/1 on which none is.
+// A branch on a 1/1, and another 1/1 that no branch follows.
 TEST(SweepAttractors, OneWithTheLabelOfABranchIsAnother) {
     StoredCell branch = on_slot(0, 2);
     branch.regime = Regime::periodic;
@@ -61,7 +61,7 @@ TEST(SweepAttractors, OneWithTheLabelOfABranchIsAnother) {
     EXPECT_TRUE(found.unvisited.front().beside_its_like);
 }
 
-// Nothing is claimed of these; and empty slots hold none.
+// Nothing is claimed about these; empty slots hold no attractor.
 TEST(SweepAttractors, WithoutAProofCountNowhere) {
     const std::vector<StoredCell> cells{on_slot(0, 2)};
     StoredAttractor unresolved = loop(0, 0, 0.1);

@@ -51,10 +51,10 @@ TEST(SweepFindings, AResonanceIsAMaximumInsideTheBand) {
     EXPECT_EQ(around(up, {orbit(1, 1, 40), orbit(2, 2, 50)}).above, Side::other_band);
     EXPECT_EQ(rising().around_one_to_one.above, Side::jump);
     EXPECT_EQ(rising().around_one_to_one.below, Side::own_band);
-    // going down, a jump is marked on its lower side
+    // for a falling branch, a jump is marked on its lower side
     EXPECT_EQ(around(down, {orbit(1, 1, 40), orbit(1, 1, 50, true), free_motion()}).above, Side::jump);
     EXPECT_EQ(around(down, {orbit(1, 1, 40, true), orbit(1, 1, 50), free_motion()}).below, Side::jump);
-    // the same band goes on beyond a jump
+    // the same band continues beyond a jump
     EXPECT_EQ(around(up, {orbit(1, 1, 10), orbit(1, 1, 50, true), orbit(1, 1, 40)}).below, Side::jump);
 }
 

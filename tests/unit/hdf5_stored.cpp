@@ -1,4 +1,4 @@
-// What is written is read back from the disk: where it isn't there, it is written once more, or the run ends.
+// Written data are read back from the disk: if they differ, they are written once more, or the run ends.
 #include "hdf5/stored.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class HDF5Stored : public testing::Test {
             FileId(check_(H5Fopen(path_.c_str(), H5F_ACC_RDWR, map_file::file_access(check_).id()), "H5Fopen"));
     }
 
-    // HDF5 writes to the map, and this is where it is looked for.
+    // HDF5 writes to the map, and the data are read back from this file.
     void write_with(const DiskFile& disk) const {
         Stored(OpenMap{check_, file_.id(), disk}, dataset, Number::float64).write(Block(0, 8), written.data());
     }
@@ -50,7 +50,7 @@ TEST_F(HDF5Stored, NumbersComeBackFromTheDisk) {
     EXPECT_EQ(numbers_on(disk), written);
 }
 
-// As if HDF5's own write had gone nowhere: to a copy of the file.
+// As if HDF5's own write had been lost: it went to a copy of the file.
 TEST_F(HDF5Stored, WhatTheDiskDoesNotHoldIsWrittenOnceMore) {
     std::filesystem::copy_file(path_, folder_ / "copy.h5");
     const DiskFile disk(folder_ / "copy.h5");
@@ -59,7 +59,7 @@ TEST_F(HDF5Stored, WhatTheDiskDoesNotHoldIsWrittenOnceMore) {
     EXPECT_EQ(numbers_on(disk), written);
 }
 
-// Takes all that is written, and holds zeros.
+// Accepts all writes, and returns zeros.
 TEST_F(HDF5Stored, ADiskThatForgetsEndsTheRun) {
     const DiskFile disk("/dev/zero");
     try {

@@ -1,4 +1,4 @@
-// CVODE and ARKODE with cubic springs, against sums, differences and balances of their own.
+// CVODE and ARKODE with cubic springs, against direct summation, differences and balances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ TEST_P(EveryIntegrator, JacobianIsTheDerivativeWithCubicSprings) {
     }
 }
 
-// u'' = -r dominates: what the cart does to u'^2/2 + u^2/2 + cubic u^4/4 in a cycle is some parts in 1e6.
+// u'' = -r dominates: the cart changes u'^2/2 + u^2/2 + cubic u^4/4 by a few parts in 1e6 per cycle.
 TEST_P(EveryIntegrator, StrongCubicFlightKeepsItsEnergy) {
     constexpr double cubic = 10;
     Oscillator<double> oscillator{.frequency = 2, .gap = 1000, .cubic = cubic};
@@ -61,7 +61,7 @@ TEST_P(EveryIntegrator, StrongCubicFlightKeepsItsEnergy) {
     EXPECT_NEAR(cycle.largest_displacement, 100, 2);
 }
 
-// One cycle by Runge and Kutta's method in long double, from the model as it is written down.
+// One cycle by a Runge-Kutta method in long double, directly from the model's definition.
 State<double> by_runge_kutta(const Oscillator<double>& oscillator, const State<double>& start, int steps) {
     using Number = long double;
     const auto slope = [&](Number time, Number position, Number velocity) {
@@ -102,7 +102,7 @@ TEST_P(EveryIntegrator, AgreesWithRungeKuttaForBothCubicForms) {
             const auto free = map(flight)(far);
             EXPECT_LT((free.end - by_runge_kutta(flight, far, 4000)).norm(),
                       10 * allowed({.jacobian = free.jacobian}));
-            auto soft = cubic_rig(cubic, form);  // an elastic stop: without a jump the fixed steps converge
+            auto soft = cubic_rig(cubic, form);  // elastic: without a jump fixed steps converge
             soft.kelvin_voigt().stiffness = 30;
             soft.kelvin_voigt().damping = 0;
             const State<double> near(-1.5, 0.8);

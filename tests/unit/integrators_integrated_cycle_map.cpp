@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Setting{Integrator::arkode_explicit, 1e-9}, Setting{Integrator::arkode_implicit, 1e-4},
                       Setting{Integrator::arkode_implicit, 1e-6}, Setting{Integrator::arkode_implicit, 1e-9}));
 
-// What only an implicit method can follow in a reasonable number of steps.
+// Cases that only an implicit method can follow in a reasonable number of steps.
 class ImplicitIntegrator : public EveryIntegrator {};
 
 INSTANTIATE_TEST_SUITE_P(
@@ -81,7 +81,7 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
     EXPECT_GT(impacts, 30);
 }
 
-// Three impacts in two cycles; engines that look for events at the ends of their steps miss one of the hops.
+// Three impacts in two cycles; engines that detect events only at step ends miss one of the hops.
 TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
     auto engine = map(paper_rig(beam_170mm, 3.1, 0));
     State<double> x = start_at(engine.oscillator());
@@ -103,8 +103,8 @@ TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
     EXPECT_NEAR(peak_force * unit_force / weight, 24.4931763215696, 2 * tolerance() * 24.5);
 }
 
-// A hammer that rises past the stop by ten times the tolerance, for a moment much shorter than a step, touches
-// it; one that stays as much below does not.
+// A hammer that rises past the stop by ten times the tolerance, for a time much shorter than a step, touches
+// it; one that stays below by the same amount does not.
 TEST_P(EveryIntegrator, SeesTouchesMuchShorterThanItsSteps) {
     auto oscillator = paper_rig(beam_170mm, 1.6, 0);
     const auto touches = [&](auto&& engine, double gap) {
@@ -127,7 +127,7 @@ TEST_P(EveryIntegrator, SeesTouchesMuchShorterThanItsSteps) {
     }
 }
 
-// ki, ci from soft to far beyond any steel; what is stiff is left to the implicit methods.
+// ki, ci from soft to far stiffer than steel; stiff cases are left to the implicit methods.
 TEST_P(EveryIntegrator, HandlesStopsFromSoftToRigid) {
     for (const double stiffness : {1.0, 1e4, 1e8, 1e12}) {
         for (const double damping_ratio : {0.0, 0.1, 1.0, 100.0}) {
@@ -146,7 +146,7 @@ TEST_P(EveryIntegrator, HandlesStopsFromSoftToRigid) {
     }
 }
 
-// Overdamped stops: contacts that creep, press for long, and let go where forces of 1e6 have to cancel.
+// Overdamped stops: contacts that creep, last long, and separate where forces of 1e6 cancel.
 TEST_P(ImplicitIntegrator, FollowsCreepingContacts) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -186,10 +186,10 @@ TEST_P(EveryIntegrator, TellsOfWhatItCannotIntegrate) {
     auto engine = map(paper_rig(beam_170mm, 2, 0));
     EXPECT_EQ(engine({std::nan(""), 0}).outcome, Outcome::not_finite);
     EXPECT_EQ(engine({-1, INFINITY}).outcome, Outcome::not_finite);
-    // a softening spring beyond its turning point throws the hammer to infinity within the cycle
+    // a softening spring beyond its unstable equilibrium throws the hammer to infinity within the cycle
     Oscillator<double> softening{.frequency = 2, .gap = 1000, .cubic = -1};
     EXPECT_NE(map(softening)({-1010, -5}).outcome, Outcome::done);
-    // a force beyond the largest number: the library itself gives up, with a message that is nobody's business
+    // a force beyond the largest double: the library fails, and its message must not reach the user
     const Oscillator<double> overflowing{.frequency = 2, .gap = 1, .cubic = 1};
     EXPECT_EQ(map(overflowing)({-1e150, 0}).outcome, Outcome::solver_failed);
     // ten million oscillations of an elastic stop in one cycle
@@ -197,7 +197,7 @@ TEST_P(EveryIntegrator, TellsOfWhatItCannotIntegrate) {
         Oscillator<double> ringing{.contact = scene::KelvinVoigt<double>{1e14, 0}, .frequency = 1, .gap = -10};
         EXPECT_EQ(map(ringing)({1.5e-13, 0}).outcome, Outcome::solver_failed);
     }
-    EXPECT_EQ(engine(start_at(engine.oscillator())).outcome, Outcome::done);  // and it still works
+    EXPECT_EQ(engine(start_at(engine.oscillator())).outcome, Outcome::done);  // and it remains usable
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 

@@ -27,7 +27,7 @@ using testing::label;
 using testing::rigid;
 using Outcome = Cycle<double>::Outcome;
 
-// Plain impacts, chatters that end in rest, and hops that don't; r from plastic to elastic.
+// Single impacts, chatter that ends in sticking, and hops that do not; r from plastic to elastic.
 TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {
     std::mt19937 random(23);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -35,7 +35,7 @@ TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {
     int rests = 0;
     for (int n = 0; n < 30; ++n) {
         const double restitution = std::array{0.0, 0.3, 0.6, 0.9, 1.0}[static_cast<std::size_t>(n % 5)];
-        const double zeta = 0.1 * unit(random);  // one by one: compilers differ in the order of arguments
+        const double zeta = 0.1 * unit(random);  // separately: the evaluation order of arguments is unspecified
         const double gap = -1.2 + 1.8 * unit(random);
         const auto oscillator = rigid(restitution, 0.5 + 3 * unit(random), gap, zeta);
         const double velocity = 4 * unit(random) - 2;
@@ -56,7 +56,7 @@ TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {
                 recorder.finish();
                 const auto& totals = recorder.totals();
                 const auto& truth = expected.totals();
-                // a chatter's infinitely many impacts need not end at the same one
+                // completed chatters have infinitely many impacts, truncated at different ones
                 EXPECT_EQ(totals.impacts, truth.impacts);
                 EXPECT_EQ(totals.chatter, truth.chatter);
                 EXPECT_EQ(cycle.pattern, exact.pattern);
@@ -115,9 +115,8 @@ TEST(IntegratedRigidStop, OrbitsHaveTheSpeedsOfTheFormula) {
     }
 }
 
-// Rest on the stop lasts until the acceleration, its cubic part included, falls through 0: then nothing of the
-// start is left. What follows is one flight from a known phase, which the integrators and kicks must find
-// alike.
+// Sticking lasts until the acceleration, its cubic part included, falls through 0: then all memory of the start
+// is lost. One flight from a known phase follows, on which the integrators and the split map must agree.
 TEST(IntegratedRigidStop, SticksWithCubicSprings) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         for (const double restitution : {0.0, 0.5}) {
@@ -133,7 +132,7 @@ TEST(IntegratedRigidStop, SticksWithCubicSprings) {
             EXPECT_GT(recorder.totals().contact_time, 0.1);
             EXPECT_LT((split.end - best.end).norm(), 1e-5);
             EXPECT_EQ(best.jacobian.norm(), 0);
-            // beyond any splitting
+            // too strong for splitting
             oscillator.cubic = 0.8;
             const auto strong = IntegratedCycleMap(oscillator, Integrator::arkode_explicit, 1e-11)(start);
             for (const Integrator integrator : every_integrator) {
@@ -150,7 +149,7 @@ TEST(IntegratedRigidStop, SticksWithCubicSprings) {
 }
 
 TEST(IntegratedRigidStop, NeverRunsForEver) {
-    // so nearly elastic that a chatter takes a million impacts
+    // so nearly elastic that chatter takes a million impacts
     const auto nearly = rigid(1 - 1e-6, 0.5, -0.2);
     EXPECT_EQ(IntegratedCycleMap(nearly, Integrator::cvode_adams, 1e-4)({-1e-3, 0}).outcome,
               RigidExactMap<double>(nearly)({-1e-3, 0}).outcome);

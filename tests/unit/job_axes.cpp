@@ -1,5 +1,4 @@
-// Axes over any number that a cell may have for itself: which they are, what cells have then, and what is
-// refused.
+// Axes over any number that may vary from cell to cell: which exist, the resulting cells, and what is refused.
 #include <gtest/gtest.h>
 
 #include <cmath>

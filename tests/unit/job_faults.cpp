@@ -1,4 +1,4 @@
-// Every rule of the job checker: tests/job/bad holds one job per rule and beside it the message, in full.
+// Every rule of the job checker: tests/job/bad holds one job per rule and, beside it, the full message.
 //
 // Lines "#! --set key=value" of such a job are overrides.
 #include <fmt/ranges.h>
@@ -42,8 +42,8 @@ void replace(std::string& text, const std::string& mark, const std::string& word
     }
 }
 
-// The message, where {quoted fields} and {quoted laws} stand for all names that [output] fields and contact.law
-// take, {fields} for those fields in a plain list.
+// The message, where {quoted fields} and {quoted laws} stand for all names accepted by [output] fields and
+// contact.law, {fields} for those fields as a plain list.
 std::string message_in(const std::filesystem::path& path) {
     std::vector<std::string_view> of_cells;
     for (const auto& field : Names<OptionalField>::all) {

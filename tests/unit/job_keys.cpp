@@ -1,4 +1,4 @@
-// Every key of the job file is wired through: it lands in its own member, and a change of it shows.
+// Every key of the job file is connected: it sets its own member, and changing it has an effect.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,7 +68,7 @@ failed_cells = 7
     EXPECT_EQ(job, examples::map());
 }
 
-// Another value for each key of a job; a key that is missing here fails the test below.
+// A second value for each key of a job; a missing key fails the test below.
 const std::map<std::string, std::string> other_values{
     {"title", "\"Another title\""},
     {"hammer.mass_kg", "0.31"},
@@ -130,11 +130,11 @@ const std::map<std::string, std::string> other_values{
     {"trace.impact_samples", "444"},
     {"trace.spectrum_to_hz", "5000.0"},
 };
-// Keys with one value only in this version, or whose other values take other keys.
+// Keys with a single value in this version, or whose other values require other keys.
 const std::set<std::string> fixed{"schema",    "kind",      "contact.law",  "study.topic",
                                   "trace.map", "trace.row", "trace.column", "trace.duration_s"};
 
-// Two jobs that differ here are the same.
+// Jobs that differ only in these keys are the same.
 const std::set<std::string> same_job{"title", "limits.failed_cells", "output.anonymous", "curves.max_period"};
 
 std::string other_value(const std::string& key, const std::string& value) {
@@ -217,7 +217,7 @@ TEST(JobKeys, InSiUnitsAreWiredThrough) {
     for (const Job& job : examples::in_si_units()) expect_every_key_to_be_wired_through(job, 14);
 }
 
-// Whichever keys gave them, cells have ratios, and those of a job without axes are its own.
+// Whichever unit was given, cells have ratios, and those of a job without axes are its own.
 TEST(JobKeys, InSiUnitsGiveTheRatiosOfTheRig) {
     const Job trace = read_job_text(resolved_text(examples::in_si_units().back()), "trace");
     EXPECT_DOUBLE_EQ(trace.operating_point.frequency_ratio, 8.5 / 4.6);
@@ -233,7 +233,7 @@ TEST(JobKeys, ATraceOfACartAtRestLastsForATime) {
     EXPECT_EQ(job.trace.duration_s, 0.25);
 }
 
-// What names the cell is read, in tables that other jobs have for a rig.
+// Keys that identify the cell are read, in tables that define the rig in other jobs.
 TEST(JobKeys, ATraceOfAMapHasNoRigOfItsOwn) {
     const std::string head = "schema = 1\nkind = \"trace\"\n[trace]\nmap = \"a.h5\"\n";
     const Job by_index = read_job_text(head + "row = 3\ncolumn = 4\n", "by index");

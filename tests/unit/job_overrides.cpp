@@ -1,4 +1,4 @@
-// `--set table.key=value`: what it sets, and that the last one counts.
+// `--set table.key=value`: its effect, and that the last one wins.
 #include <gtest/gtest.h>
 
 #include "job/read.hpp"
@@ -54,7 +54,7 @@ TEST(Override, ReplacesATableGivenWhole) {
     EXPECT_EQ(map_with({"axes.gap_ratio={from=1, to=2, points=3}"}).rows, (Axis{1, 2, 3, Spacing::linear}));
 }
 
-// A file with a [start] stays a map: an override gives values and removes nothing.
+// A file with a [start] remains a map: an override sets values and removes nothing.
 TEST(Override, MakesAMapWithoutAStartABasin) {
     const auto file = examples::source_folder() / "jobs/smoke.toml";
     const std::vector<std::string> overrides{

@@ -1,4 +1,4 @@
-// `rig = "FILE"`: what a job takes from the file of a rig, and what is said of one that can't be used.
+// `rig = "FILE"`: what a job takes from a rig's file, and the messages for unusable ones.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -38,7 +38,7 @@ class RigFiles : public testing::Test {
         write("job.toml", text);
         return read_job_file(folder_ / "job.toml", overrides);
     }
-    // With the folder left out.
+    // With the folder omitted.
     [[nodiscard]] std::string complaint_about(const std::string& text) const {
         try {
             (void)job(text);

@@ -1,4 +1,4 @@
-// The resolved text is a job that reads back equal bit for bit; the identity text tells jobs apart.
+// The resolved text is a job that reads back bit for bit; the identity text distinguishes jobs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace peterka::job {
 namespace {
 
-// Seeded jobs from all over the ranges of the checker.
+// Seeded jobs that cover the checker's ranges.
 class RandomJobs {
   public:
     explicit RandomJobs(std::uint64_t seed) : random_(seed) {}

@@ -1,4 +1,4 @@
-// The jobs that come with the program are sound and are those of the paper.
+// The shipped jobs are valid and are those of the paper.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Input that is no job at all gets a clear fault: never a crash, a hang or a guess.
+// Input that is not a job gives a clear fault: never a crash, a hang or a guess.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// What a file says of the arithmetic that made it: as much as the last bits depend on, and no more.
+// A file's record of the arithmetic that made it: all that affects the last bits, and no more.
 #include "map_file/arithmetic.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(MapFileArithmetic, NamesProcessorLibraryAndVectors) {
     EXPECT_TRUE(arithmetic().ends_with(", vectors " + std::string(batch::arithmetic()))) << arithmetic();
 }
 
-// Releases of glibc from 2.36 on compute the same: measured for 20 million arguments of each function.
+// glibc releases from 2.36 on give identical results: measured for 20 million arguments of each function.
 #if defined(__x86_64__) && defined(__GLIBC__) && __GLIBC_PREREQ(2, 36)
 TEST(MapFileArithmetic, IsOneForReleasesThatComputeTheSame) {
     if (__builtin_cpu_supports("fma") == 0) GTEST_SKIP() << "the library computes otherwise without fma";

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t room_of_point = 4;
 constexpr double gap_of_points = 0.5;
 
-// Orbits of these periods, and one touch on the first.
+// Orbits with these periods, and one touch on the first.
 attractors::PointAttractors point_of(const std::vector<int>& periods) {
     attractors::PointAttractors point{.count = static_cast<std::int32_t>(periods.size()), .gap = gap_of_points};
     for (std::size_t i = 0; i < periods.size(); ++i) {

@@ -1,4 +1,4 @@
-// Whatever lies where the map should be is recognised, and each wrong thing gets its own reason.
+// Whatever exists at the map's path is recognised, and each fault is reported with its own reason.
 #include "map_file/inspect.hpp"
 
 #include <gtest/gtest.h>

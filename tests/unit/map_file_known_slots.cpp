@@ -1,4 +1,4 @@
-// What gives way where a cell has more attractors than slots, and that it is noticed.
+// Which attractor is dropped if a cell has more attractors than slots, and that this is recorded.
 #include "map_file/known_slots.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 using quantities::StoredAttractor;
 using quantities::StoredCell;
 
-// An attractor is told by its force.
+// Attractors are identified by their force.
 StoredAttractor slot(double share, double force) {
     StoredAttractor attractor;
     attractor.regime = regime::Regime::periodic;
@@ -49,7 +49,7 @@ TEST(KnownSlots, TakeThePlaceOfTheSmallestShares) {
     EXPECT_TRUE(lost_slots(here, slots, 3));
 }
 
-// What [start] ends on is known, too.
+// The end state of [start] is known, too.
 TEST(KnownSlots, LeaveThatOfTheOwnStart) {
     StoredCell here = cell(3, 2);
     Slots slots{slot(0.5, 1), slot(0.3, 2), slot(0.2, 3)};
@@ -77,7 +77,7 @@ TEST(KnownSlots, LeaveTheLargestShare) {
     EXPECT_FALSE(lost_slots(here, slots, 1));
 }
 
-// More than were kept from the beginning.
+// More than were stored from the beginning.
 TEST(KnownSlots, AreNotMissedWhereTheCellHadNoRoom) {
     const StoredCell here = cell(5, 0);
     EXPECT_FALSE(lost_slots(here, {slot(0.4, 1), slot(0.3, 2)}, 2));

@@ -1,4 +1,4 @@
-// Making a file: whole or not at all, and never over something that cannot be made again by the same command.
+// Creating a file: completely or not at all, and never over one that the same command cannot reproduce.
 #include "map_file/make_file.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(OutputMakeFile, TwoFilesOfOneJobAreTheSameBytes) {
     make_file(folder / "b.h5", examples::small_basin(20, 4), examples::made_by());
     EXPECT_EQ(content_of(folder / "a.h5"), content_of(folder / "b.h5"));
 
-    const hdf5::Checked check(folder / "a.h5");  // made within one second, they could hide the time of making
+    const hdf5::Checked check(folder / "a.h5");  // made within one second, they could hide the creation time
     const hdf5::FileId file(check(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
     for (const char* object : {"/", "/tiles", "/attractors/regime", "/cycles"}) {
         hdf5::ObjectInfo info;

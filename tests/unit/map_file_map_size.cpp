@@ -1,4 +1,4 @@
-// The size of a file is known before it is made, and a file that does not fit is not begun.
+// The size of a file is known before it is created, and a file that does not fit is not begun.
 #include "map_file/map_size.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(OutputMapSize, PredictsExtraFieldsAndLongTitlesToTheByte) {
     expect_exact(job);
 }
 
-// A branch is one chunk, whose sides take more bytes in a header the larger they are.
+// A branch is one chunk, whose sides take more header bytes the larger they are.
 TEST(OutputMapSize, PredictsSweepsToTheByte) {
     for (const auto& [points, samples] :
          {std::pair{3, 1}, {3, 300}, {255, 64}, {256, 1}, {601, 64}, {601, 300}, {70'000, 1}}) {
@@ -94,7 +94,7 @@ TEST(OutputMapSize, MissingFolderIsRefused) {
     }
 }
 
-// A limit on the size of files, as long as this object.
+// A limit on the size of files, for the lifetime of this object.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

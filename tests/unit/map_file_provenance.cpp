@@ -1,4 +1,4 @@
-// What a file says of the program that made it.
+// A file's record of the program that made it.
 #include "map_file/provenance.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a stranger's file may hold in place of a map's datasets is refused.
+// Untrusted contents in place of a map's datasets are refused.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -8,7 +8,7 @@
 namespace peterka::map_file {
 namespace {
 
-// Whatever a stranger puts in the place of a dataset, a run would write through it.
+// A run would write through any foreign object in place of a dataset.
 class OutputStrangersMap : public examples::InspectedMap {
   protected:
     void replace(const std::function<void(const hdf5::Checked&, hid_t)>& put) {

@@ -1,4 +1,4 @@
-// Tiles in a file: what was written is read back, and what was changed behind the program's back is found.
+// Tiles in a file: they are read back as written, and external modifications are detected.
 #include "map_file/tile_store.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST_F(OutputTileStore, NewFileHasNoTileAndFillsSayThatNothingIsComputed) {
     }
 }
 
-// Whole tiles go past HDF5's selections, cropped ones through them.
+// Full tiles bypass HDF5's selections, cropped ones use them.
 TEST_F(OutputTileStore, Hdf5ReadsEachTileAsItWasWritten) {
     TileStore tiles = store();
     const hdf5::DatasetId forces(check_(H5Dopen2(file_.id(), "/peak_force_ratio", H5P_DEFAULT), "H5Dopen2"));
@@ -119,7 +119,7 @@ TEST_F(OutputTileStore, ChangedCellIsFoundInItsTileOnly) {
     for (std::int64_t i = 0; i < 6; ++i) {
         EXPECT_EQ(tiles.state(tiles.tiling().tile(i)), i == 5 ? TileState::damaged : TileState::whole) << i;
     }
-    // whoever reads it, statistics, audit or a trace, is told
+    // every reader is notified: statistics, audit and traces
     EXPECT_THROW((void)tiles.read(tiles.tiling().tile(5)), Failure);
     EXPECT_THROW((void)tiles.read_cell({16, 33}), Failure);
     EXPECT_EQ(tiles.read_cell({15, 33}).cycles, examples::made_up_cell(15, 33).cycles);

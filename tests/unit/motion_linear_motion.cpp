@@ -1,5 +1,4 @@
-// The closed form of a linear phase against an integration that knows nothing of it, and against textbook
-// motions.
+// The closed form of a linear phase against an independent integration, and against textbook motions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +15,7 @@ struct Case {
     double duration;
 };
 
-// Classical Runge-Kutta in extended precision; its own error is far below the tolerance of the tests.
+// Classical Runge-Kutta in extended precision; its error is far below the tests' tolerance.
 State<long double> integrate(const LinearEquation<double>& e, State<long double> x, long double phase,
                              long double duration) {
     const auto slope = [&](long double t, const State<long double>& s) {

@@ -1,4 +1,4 @@
-// The policy of dealing: its order, run lengths, and a pool with holes in which no tile is lost or dealt twice.
+// The dealing policy: order, run lengths, and a pool with holes in which no tile is lost or dealt twice.
 #include "parallel/tile_pool.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Tiling grid_of(std::int64_t rows, std::int64_t columns) {
 
 using Tiles = std::vector<std::int64_t>;
 
-// Of these turns; -1 where a turn has none.
+// Tiles of these turns; -1 for a turn without a tile.
 Tiles dealt_by(const DealOrder& order, std::int64_t first_turn, std::int64_t turns) {
     Tiles dealt;
     for (std::int64_t turn = first_turn; turn < first_turn + turns; ++turn) {
@@ -58,7 +58,7 @@ TEST(DealOrder, EveryTileHasOneTurn) {
     }
 }
 
-// How many of a square grid's 4 by 4 parts have any of these turns' tiles.
+// The number of a square grid's 4 by 4 parts that contain any of these turns' tiles.
 std::size_t parts_reached(const DealOrder& order, std::int64_t side, std::int64_t first_turn,
                           std::int64_t turns) {
     std::set<std::int64_t> reached;
@@ -97,7 +97,7 @@ TEST(DealOrder, IsKnown) {  // the replay in postprocess/ deals in the same orde
 }
 
 TEST(DealOrder, ManyTilesDontOverflow) {
-    constexpr std::int64_t side = 1 << 27;  // of the longest axes that a job may have
+    constexpr std::int64_t side = 1 << 27;  // the longest axes that a job may have
     for (const int ranks : {1, std::numeric_limits<int>::max()}) {
         const DealOrder order(grid_of(side, side), ranks);
         for (const std::int64_t turn :
@@ -149,8 +149,8 @@ TEST(DealSize, MessagesStayFewHoweverManyTiles) {
     for (std::int64_t remaining = tiles; remaining > 0 && deals < 10'000; ++deals) {
         remaining -= deal_size(remaining, tiles, ranks);
     }
-    EXPECT_GT(deals, 120);  // 16 a rank, less what the shrinking end takes over,
-    EXPECT_LT(deals, 150);  // and 2P ln(tiles/(16 P)) for that end
+    EXPECT_GT(deals, 120);  // 16 per rank, minus those replaced by the shrinking tail,
+    EXPECT_LT(deals, 150);  // plus 2P ln(tiles/(16 P)) for that tail
 }
 
 TEST(CellsIn, CroppedTilesCountWhatTheyHold) {

@@ -1,4 +1,4 @@
-// The table of fields: what a job stores, and that cells survive the way through the bytes of a tile.
+// The table of fields: which ones a job stores, and that cells survive conversion to a tile's bytes.
 #include "quantities/fields.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::vector<std::string> names_of_cell_and_attractors(const job::Job& job) {
 const std::vector<std::string> always{"regime",           "status",      "engine", "impacts",        "period",
                                       "peak_force_ratio", "impact_rate", "cycles", "observed_cycles"};
 
-// A rigid stop has a field of its own, a refined map, and one with many starts.
+// A rigid stop, a refined map, and one with many starts each have additional fields.
 job::Job with_every_field() {
     job::Job job = map_file::examples::small_map(4, 4);
     job.contact = job::Restitution{0.6};
@@ -120,7 +120,7 @@ TEST(OutputFields, AKickIsOfTheCellWithoutManyStartsAndOfItsAttractorsWithThem) 
     EXPECT_FALSE(std::ranges::count(names(stored_fields(job)), "critical_kick_phase") > 0);
 }
 
-// They are read as they are.
+// They are read unchanged.
 TEST(OutputFields, FilesOfLayoutTwoHaveNoneThatCameLater) {
     job::Job job = with_every_field();
     job.layout = 2;
@@ -174,7 +174,7 @@ TEST(OutputFields, EachRowStoresAMemberOfItsOwn) {
     }
 }
 
-// Every member differs from every other, so that two fields that store the same member are found out.
+// Every member has a distinct value, so that two fields that store the same member are detected.
 template <class Cell = regime::CellResult>
 Cell distinct_cell() {
     return {.regime = regime::Regime::chaotic,

@@ -1,4 +1,4 @@
-// Filling a cell: only inside one regime and one z, only with smooth numbers.
+// Filling a cell: only within one regime and one z, and only with smooth numbers.
 #include "refine/fill.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using regime::CellResult;
 using regime::Regime;
 using regime::Status;
 
-// The cells on every fourth row and column around (row, column) of a grid of 33 by 33.
+// The cells on every fourth row and column around (row, column) of a 33 by 33 grid.
 class Around {
   public:
     Around(const std::function<CellResult(double, double)>& cell_at, std::int64_t row, std::int64_t column,
@@ -190,7 +190,7 @@ TEST(RefineFill, OnALineOfTheLatticeItsNeighboursOnBothSidesCount) {
     EXPECT_FALSE(around.filled());
 }
 
-// z = 2/4, the regime of `periodic`, with a share that grows along the rows, and no impact.
+// z = 2/4, the regime of `periodic`, with a share that increases along the rows, and no impact.
 std::vector<CellAttractor> two_attractors(double row) {
     CellAttractor orbit{Regime::periodic, Status::verified, 2, 4, 40 + row, 0.4 + row / 320};
     orbit.kick = {0.5 + row, 1.5, 0.5 + row, 1};
@@ -226,7 +226,7 @@ TEST(RefineFill, AttractorsTooAreInterpolatedLabelByLabel) {
     EXPECT_EQ(solved->attractors[1].period, 4);
     EXPECT_NEAR(solved->attractors[1].share, 0.4 + 14.0 / 320, 1e-12);
     EXPECT_NEAR(solved->attractors[1].peak_force, 54, 1e-12);
-    // what was tried or verified in the cells around wasn't in this one
+    // trials and verifications of the surrounding cells do not apply to this one
     EXPECT_EQ(static_cast<int>(solved->attractors[1].status), regime::regime_not_computed);
     EXPECT_TRUE(std::isnan(solved->attractors[1].kick.size));
     EXPECT_TRUE(std::isnan(solved->attractors[1].kick.tried));

@@ -1,4 +1,4 @@
-// Lattices and stencils: the last position is always there, and weights reproduce polynomials.
+// Lattices and stencils: the last position is always included, and weights reproduce polynomials.
 #include "refine/lattice.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Refining made-up maps: what is computed, what is filled, and that no cut of the map into regions shows.
+// Refining synthetic maps: what is computed, what is filled, and independence of the division into regions.
 #include "refine/region.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is known of a basin's attractors beforehand, and what a search makes of it.
+// Prior knowledge of a basin's attractors, and its use by a search.
 #include "regime/attractor_table.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::found_from;
 using testing::paper_rig;
 using testing::solve_knowing;
 
-constexpr double many = 1e4;  // starts for each that was run in full
+constexpr double many = 1e4;  // starts for each one run in full
 
 scene::Oscillator<double> coexisting() {
     return paper_rig(beam_150mm, 1.8, 1.6);

@@ -1,4 +1,4 @@
-// Analytic orbits and the limits of 1/1: known to many digits by other means (continuation, closed formulas).
+// Analytic orbits and the limits of 1/1: known to many digits independently (continuation, closed formulas).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST(LimitsOfOneToOne, FoldAtGapOneAndAHalf) {
     EXPECT_NEAR(critical_frequency(1.5, 1, 1.86), 1.862464993, 2e-9);
 }
 
-// Where the second, grazing contact appears no multiplier warns: only the label tells.
+// No multiplier warns of the second, grazing contact (border collision): only the label shows it.
 TEST(LimitsOfOneToOne, BorderCollisionAtGapZero) {
     double two = 1.145;
     double one = 1.155;
@@ -75,7 +75,7 @@ TEST(CompliantOrbit, HasTheKnownPeakForce) {
     }
 }
 
-// The stiffer the stop, the closer to the rigid orbit's impact speed, like stiffness^-1/2.
+// The stiffer the stop, the closer to the rigid orbit's impact speed, as stiffness^-1/2.
 TEST(CompliantOrbit, TendsToTheRigidOne) {
     const double rigid_speed = 10.33883402105;
     const double zeta = 0.2;

@@ -1,5 +1,5 @@
-// Branches of a sweep: jumps where folds and edges are known by other ways, agreement where only one attractor
-// exists, and samples of the motions.
+// Branches of a sweep: jumps where folds and edges are known independently, agreement where only one
+// attractor exists, and samples of the motions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,12 +42,13 @@ std::vector<std::size_t> jumps(const std::vector<BranchPoint>& points) {
     return columns;
 }
 
-// At 1.5 A0, z = 1/1 ends in a fold at 1.862464993 (Newton's method on the orbit, in extended precision), and
-// no impact begins to touch where the free amplitude grows to the gap. In between the history decides.
+// At 1.5 A0, z = 1/1 ends in a fold at 1.862464993 (Newton's method on the
+// orbit, in extended precision), and no impact begins to touch where the free
+// amplitude reaches the gap. In between the history decides (hysteresis).
 TEST(Branch, JumpsAtTheFoldGoingUpAndAtTheEdgeOfNoImpactGoingDown) {
     constexpr double gap = 1.5;
     constexpr double fold = 1.862464993;
-    constexpr double start = 1.6;  // too close to resonance for no impact: both branches know z = 1/1
+    constexpr double start = 1.6;  // too close to resonance for no impact: both branches follow z = 1/1
     const job::Job up = sweep_job(gap, start, 1.9, 241, Direction::up);
     const job::Job down = sweep_job(gap, start, 1.9, 241, Direction::down);
     const auto rising = branch(up);
@@ -119,7 +120,7 @@ TEST(Branch, WithIndependentStartsIsARowOfAMap) {
     }
 }
 
-// The absolute velocity stays when the cart goes on faster: x' = delta' + eta.
+// The absolute velocity is kept when the cart's speed increases: x' = delta' + eta.
 TEST(Branch, HandsOnTheAbsoluteState) {
     const job::Job job = sweep_job(0, 2.0, 2.5, 2, Direction::up);
     const auto points = branch(job);
@@ -150,8 +151,8 @@ TEST(Branch, SamplesAreTheWholeOrbit) {
     EXPECT_GT(doubled, 2);
 }
 
-// On an orbit without a cubic spring, a state at first touch and one at phase 0 lie on one free flight: the
-// closed form of the flight carries one to the other.
+// On an orbit without a cubic spring, a state at first touch and one at phase 0 lie on the same free flight:
+// its closed form maps one to the other.
 TEST(Branch, TouchesLieOnTheOrbit) {
     const job::Job job = sweep_job(0.5, 2.0, 2.2, 2, Direction::up);
     const auto points = branch(job);

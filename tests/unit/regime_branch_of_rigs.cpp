@@ -1,4 +1,4 @@
-// Sweeps over a number of the rig: the motion is handed on in metres and metres per second.
+// Sweeps over a parameter of the rig: the motion is handed on in metres and metres per second.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,14 +20,13 @@ struct OfTheRig {
     }
 };
 
-// Three cycles prove nothing, so that the force of the second point hangs on where the first one left the
-// hammer.
+// Three cycles prove nothing, so the force at the second point depends on where the first one left the hammer.
 void expect_handed_on_in_si(const std::string& key, double from, double to, const OfTheRig& first,
                             const OfTheRig& second, double gap_ratio) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;
     job.columns = {.from = from, .to = to, .points = 2, .over = key};
-    job.contact = job::KelvinVoigt{5.5e6, 20};  // loses little, so that three cycles don't forget
+    job.contact = job::KelvinVoigt{5.5e6, 20};  // little dissipation, so that three cycles keep the memory
     job.operating_point = {2, gap_ratio};
     job.sweep = {.gap_ratio = {}, .direction = job::Direction::up};
     job.steady_state.max_cycles = 3;
@@ -48,7 +47,7 @@ void expect_handed_on_in_si(const std::string& key, double from, double to, cons
                      velocity_m_per_s / second.speed_m_per_s() - frequency};
     const CellResult right = find_steady_state(by_hand.oscillator, by_hand.start, job.steady_state);
     EXPECT_NEAR(points[1].cell.peak_force / right.peak_force, 1, 1e-9);
-    // unscaled, the same numbers lead elsewhere
+    // without rescaling, the same numbers lead elsewhere
     const CellResult wrong = find_steady_state(by_hand.oscillator, end, job.steady_state);
     EXPECT_GT(std::abs(wrong.peak_force / right.peak_force - 1), 1e-3);
 }

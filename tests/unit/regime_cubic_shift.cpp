@@ -1,5 +1,5 @@
-// What the cubic term changes on an orbit, found from the orbit without it, against runs from the start with
-// it.
+// The effect of the cubic term on an orbit, predicted from
+// the orbit without it, against runs from the start with it.
 #include "regime/cubic_shift.hpp"
 
 #include <gtest/gtest.h>
@@ -53,8 +53,8 @@ TEST(CubicShift, IsWhatARunFromTheStartShows) {
     }
 }
 
-// Where the second step isn't small, what it moved is told on top: without that these would be 5 and 3 % too
-// low.
+// If the second Newton step is not small, its change is added to
+// the estimate: without that these would be 5 and 3 % too low.
 TEST(CubicShift, TellsNoLessThanTheChangeWhereNewtonsMethodIsStillOnItsWay) {
     for (const Place place :
          {Place{4.2688283384865562, 0.83212069649735199}, {2.2871204733876627, 0.9553803944149355}}) {
@@ -72,14 +72,14 @@ TEST(CubicShift, TellsNoLessThanTheChangeWhereNewtonsMethodIsStillOnItsWay) {
     }
 }
 
-// A softening spring moves the fold of 1/1 past the cell, a hardening one away from it.
+// A softening spring moves the fold of 1/1 past the cell, a hardening one moves it away.
 TEST(CubicShift, IsNoneWhereTheOrbitIsLost) {
     const auto at_fold = paper_rig(beam_170mm, 1.8463796477495107, 1.5362035225048922);
     EXPECT_TRUE(shift_at(at_fold, 3 * paper_cubic).change);
     EXPECT_FALSE(shift_at(at_fold, -30 * paper_cubic).change);
 }
 
-// Forces on it have no bound: the orbit's own shift is told.
+// Forces there are unbounded: the orbit's own shift is reported.
 TEST(CubicShift, IsThatOfTheOrbitOnARigidStop) {
     auto oscillator = paper_rig(beam_170mm, 2.0, 0.5);
     oscillator.contact = scene::Restitution<double>{0.6};

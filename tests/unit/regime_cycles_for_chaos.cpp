@@ -1,4 +1,4 @@
-// What an oscillator loses in a cycle, against the Jacobians of its engine along chaos.
+// An oscillator's dissipation per cycle, against the Jacobians of its engine along chaos.
 #include "regime/cycles_for_chaos.hpp"
 
 #include <gtest/gtest.h>

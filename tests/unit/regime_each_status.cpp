@@ -1,5 +1,5 @@
-// One cell for each regime and status that other tests don't hold to a number of their own, and that number by
-// another way.
+// One cell for each regime and status without a quantitative
+// test elsewhere, with its number verified independently.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,13 +40,13 @@ trajectory::ExactCycleMap<long double> in_extended_precision(const scene::Oscill
     return trajectory::ExactCycleMap<long double>(same);
 }
 
-// ln of the most that errors which come in with every cycle grew to, by the distance of trajectories that begin
-// a little beside each of its points. In units of A0 and A0 omega.
+// ln of the largest growth of errors introduced in any cycle, by the distance of trajectories that begin near
+// each of its points. In units of A0 and A0 omega.
 double growth_of_errors(const scene::Oscillator<double>& oscillator, int cycles) {
     constexpr long double aside = 1e-17L;
     const auto map = in_extended_precision(oscillator);
     std::vector<LongState> points{start_at(oscillator).cast<long double>()};
-    std::vector<double> squares(static_cast<std::size_t>(cycles) + 1, 0);  // of errors, after so many cycles
+    std::vector<double> squares(static_cast<std::size_t>(cycles) + 1, 0);  // of errors, after this many cycles
     for (int n = 0; n < cycles; ++n) points.push_back(map(points.back()).end);
     for (int first = 0; first < cycles; ++first) {
         for (int axis = 0; axis < 2; ++axis) {
@@ -62,7 +62,7 @@ double growth_of_errors(const scene::Oscillator<double>& oscillator, int cycles)
     return std::log(*std::ranges::max_element(squares)) / 2;
 }
 
-// Periodic in the end, after a chaos that made e^20 and more of an error.
+// Finally periodic, after a chaotic transient that amplified errors by e^20 and more.
 TEST(EachStatus, RoundingIsSaidWhereErrorsGrewByE20) {
     const CellResult cell = solved(0, 4.2359429184586199, 1.2353618165505185);
     ASSERT_EQ(cell.regime, Regime::periodic);
@@ -70,7 +70,7 @@ TEST(EachStatus, RoundingIsSaidWhereErrorsGrewByE20) {
     const auto oscillator = paper_rig(beam_170mm, 4.2359429184586199, 1.2353618165505185);
     const double growth = growth_of_errors(oscillator, cell.followed_cycles);
     EXPECT_GT(growth, 20);
-    EXPECT_NEAR(cell.sensitivity, growth, 1.5);  // it has another unit for speeds
+    EXPECT_NEAR(cell.sensitivity, growth, 1.5);  // the two scale speeds differently
 }
 
 TEST(EachStatus, VerifiedIsSaidWhereErrorsStayedSmall) {
@@ -82,7 +82,7 @@ TEST(EachStatus, VerifiedIsSaidWhereErrorsStayedSmall) {
     EXPECT_NEAR(cell.sensitivity, growth, 1.5);
 }
 
-// Without its cubic spring this cell settles in time; with it, errors grow by e^20 before it does.
+// Without its cubic spring this cell settles in time; with it, errors first grow by e^20.
 TEST(EachStatus, RoundingIsSaidWhereTheSecondSearchFindsIt) {
     const double frequency = 4.4642798737504297;
     const double gap = 0.64683353912512764;
@@ -101,7 +101,7 @@ TEST(EachStatus, RoundingIsSaidWhereTheSecondSearchFindsIt) {
     EXPECT_NEAR(cell.sensitivity, with.sensitivity, 1);
 }
 
-// Newton's moves end where rounding begins, some 1e-16 of the state, which is more than this asks for.
+// Newton's corrections end at rounding, about 1e-16 of the state, which exceeds the requested accuracy.
 TEST(EachStatus, ImpreciseIsSaidWhereTheForceMayBeFurtherOffThanWasAskedFor) {
     const auto oscillator = paper_rig(beam_170mm, 2, 0.5);
     for (const double tolerance : {1e-9, 1e-18}) {
@@ -136,7 +136,7 @@ TEST(EachStatus, TheForceOfASustainedContactIsThatOfALinearOscillator) {
     EXPECT_NEAR(cell.peak_force / force, 1, 1e-9);
 }
 
-// Two trajectories side by side in extended precision, brought together again after every cycle.
+// Two neighbouring trajectories in extended precision, renormalised after every cycle.
 TEST(EachStatus, TheExponentOfChaosIsTheRateAtWhichNeighboursPart) {
     const auto oscillator = paper_rig(beam_170mm, 2.88, 0.0);
     const CellResult cell = testing::solve(oscillator, 0, 0, {.max_cycles = 20'000, .chaos_cycles = 10'000});

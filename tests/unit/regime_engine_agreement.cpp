@@ -1,5 +1,5 @@
-// Every engine on every row of tests/data/cells.csv: each finds the periodic orbit of its own map next to the
-// reference, and their forces, impacts and energies agree pairwise within the errors asked for.
+// Every engine on every row of tests/data/cells.csv: each finds the periodic orbit of its own map near the
+// reference, and their forces, impacts and energies agree pairwise within the requested errors.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -38,7 +38,7 @@ constexpr double rounding = 1e-10;
 
 CycleEngine integrated(const std::string& name, Integrator integrator) {
     return {name, tolerance, [integrator](const Oscillator<double>& oscillator) -> Map {
-                // std::function wants to copy
+                // std::function requires a copyable callable
                 auto map = std::make_shared<IntegratedCycleMap>(oscillator, integrator, tolerance);
                 return
                     [map](const State<double>& x, Recorder<double>* recorder) { return (*map)(x, recorder); };
@@ -80,7 +80,7 @@ Orbit orbit_of(const Map& map, const ReferenceCell& cell) {
         x += (Jacobian<double>::Identity() - jacobian).partialPivLu().solve(end - x);
     }
     Recorder<double> recorder(Detail::energy);
-    for (int pass = 0; pass < 2; ++pass) {  // an impact may last across phase 0: the second pass has it in full
+    for (int pass = 0; pass < 2; ++pass) {  // an impact may extend across phase 0: the second pass has it whole
         recorder.reset_totals();
         State<double> end = x;
         for (int q = 0; q < cell.period; ++q) end = map(end, &recorder).end;
@@ -93,7 +93,7 @@ Orbit orbit_of(const Map& map, const ReferenceCell& cell) {
 struct Quantity {
     std::string name;
     double value;
-    double scale;  // against which an error is relative
+    double scale;  // reference scale of a relative error
 };
 
 std::vector<Quantity> quantities(const Totals<double>& totals) {

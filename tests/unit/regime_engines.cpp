@@ -1,5 +1,5 @@
-// Engines behind one decision procedure: they agree where their scenes are the same, and the rule that chooses
-// one of them leaves the cubic spring out only where that is safe.
+// Engines behind one decision procedure: they agree where their scenes are the same, and the rule that
+// selects an engine omits the cubic spring only where that is safe.
 #include "regime/engine.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class Engines : public ::testing::TestWithParam<EngineCase> {
     }
 };
 
-// Some engines go wrong here at every tolerance: a hop that hides between two steps.
+// Some engines fail here at every tolerance: a hop hidden between two steps.
 TEST_P(Engines, SeeTheShortHop) {
     const CellResult cell = solve(paper_rig(beam_170mm, 3.1, 0));
     EXPECT_EQ(cell.impacts, 3);
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(All, Engines,
                                            EngineCase{Engine::arkode, 1e-8}),
                          name_of);
 
-// With a cubic spring the engines that keep it agree with each other, and none with the closed form.
+// With a cubic spring the engines that keep it agree with each other, and none agrees with the closed form.
 TEST(CubicSpring, ShiftsTheForceAlikeInEveryEngine) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         auto oscillator = paper_rig(beam_170mm, 2.0, 0.0);
@@ -83,13 +83,13 @@ TEST(CubicSpring, ShiftsTheForceAlikeInEveryEngine) {
         const double kept = force(Engine::cvode, 1e-8);
         EXPECT_GT(std::abs(kept / linear - 1), 1e-4);
         EXPECT_NEAR(force(Engine::arkode, 1e-8) / kept, 1, 2e-8);
-        // the moving cart makes the absolute form dearer to split
+        // the moving cart makes the absolute form more expensive to split
         const double tolerance = form == job::CubicForm::relative ? 1e-6 : 1e-4;
         EXPECT_NEAR(force(Engine::split, tolerance) / kept, 1, tolerance);
     }
 }
 
-// Told to split a cubic that is too strong for it, a cell fails rather than gives less than was asked for.
+// If required to split a cubic that is too strong, a cell fails rather than miss the requested accuracy.
 TEST(CubicSpring, TooStrongToSplitIsAFailedCell) {
     auto oscillator = paper_rig(beam_170mm, 2.0, 0.0);
     oscillator.cubic = 1;
@@ -139,8 +139,8 @@ TEST(AutomaticEngine, SolvesAgainWhereTheTermMatters) {
     EXPECT_EQ(solve_cell(scene::Scene(paper_job(238.2325e7)), 0, 1).engine, Engine::arkode);
 }
 
-// The fold of 1/1 is so close that the term changes the peak force by 1.5e-3, though it changes the springs by
-// 7e-5.
+// The fold of 1/1 is so close that the term changes the peak
+// force by 1.5e-3, though it changes the stiffness by 7e-5.
 TEST(AutomaticEngine, KeepsTheTermNextToAFold) {
     job::Job job = paper_job(238.23);
     job.columns = {1.8463796477495107, 2.0, 2};

@@ -1,5 +1,5 @@
-// An engine that breaks in any one cycle of a search: the cell fails and says why, or its claim is the right
-// one.
+// An engine that fails in an arbitrary cycle of a search: the
+// cell fails and states the reason, or its claim is correct.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ constexpr Fault faults[] = {{Outcome::too_many_events, Status::too_many_events},
                             {Outcome::solver_failed, Status::solver_failed},
                             {Outcome::inside_stop, Status::solver_failed}};
 
-// What engines hand over with a fault depends on the engine; here the worst.
+// The data returned with a fault depend on the engine; here the worst case.
 Cycle<double> broken_cycle(Outcome outcome) {
     Cycle<double> cycle;
     cycle.outcome = outcome;
@@ -44,7 +44,7 @@ struct Case {
 
 struct Solved {
     CellResult result;
-    std::int64_t computed = 0;  // cycles, those ordered ahead and not needed in the end among them
+    std::int64_t computed = 0;  // cycles, including those ordered ahead and finally not needed
 };
 
 Solved solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outcome::done) {
@@ -102,7 +102,7 @@ TEST_P(FaultyEngine, IsSeen) {
             EXPECT_EQ(cell_result.status, fault.status);
             EXPECT_TRUE(std::isnan(cell_result.peak_force));
             EXPECT_TRUE(std::isnan(cell_result.impact_rate));
-        } else {  // the cycle was not needed, or belonged to an attempt at an orbit, and another one succeeded
+        } else {  // the cycle was not needed, or belonged to an orbit attempt while another one succeeded
             EXPECT_LT(broken, last);
             EXPECT_EQ(cell_result.regime, sound.regime);
             EXPECT_EQ(cell_result.impacts, sound.impacts);

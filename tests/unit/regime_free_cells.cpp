@@ -1,5 +1,5 @@
-// Cells told from another one of their frequency are what each would say of itself, and no search is begun for
-// them.
+// Cells classified from another cell of the same frequency
+// agree with their own search, and no search is begun for them.
 #include "regime/free_cells.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 namespace peterka::regime {
 namespace {
 
-// Rigs, starts and planes of all kinds; rows of gaps or columns of them, near ones first or last.
+// Rigs, starts and planes of all kinds; gaps along rows or columns, near ones first or last.
 job::Job any_plane(std::mt19937& random) {
     const auto one_of = [&](std::initializer_list<double> values) {
         return values.begin()[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)];
@@ -74,7 +74,7 @@ TEST(FreeCells, MostAreToldFromAnother) {
         told += is_told ? 1 : 0;
         EXPECT_TRUE(is_told || free_cells.find(cell));
     }
-    EXPECT_GE(told, 224);  // two of a column may share a place with another column
+    EXPECT_GE(told, 224);  // two cells of a column may share a place with another column
     EXPECT_LE(free_cells.computed(), 64);
 }
 
@@ -85,7 +85,7 @@ TEST(FreeCells, NoneIsSoughtWhereTheMotionWithoutAStopReachesIt) {
     EXPECT_EQ(free_cells.computed(), 0);
 }
 
-// So none of them is looked for (regime/lasting_motion_proof.cpp).
+// Hence none is searched for (regime/lasting_motion_proof.cpp).
 TEST(Contacts, NoneLastsWhereTheHammerRestsBeforeTheStop) {
     std::mt19937 random(22);
     const auto between = [&](double low, double high) {
@@ -108,7 +108,7 @@ TEST(Contacts, NoneLastsWhereTheHammerRestsBeforeTheStop) {
     EXPECT_GT(lasting, 500);
 }
 
-// The way round, by a search for each cell, costs a map without [starts] twice as much where nothing impacts.
+// A separate search for each cell would cost a map without [starts] twice as much where nothing impacts.
 TEST(FreeCells, NoSearchIsBegunForThem) {
     const job::Job job = plane({2.5, 4.5, 6}, {0.5, 5, 6});
     const scene::Scene scene(job);

@@ -26,7 +26,7 @@ TEST(Growth, IsNotSureOfAnExponentNearZero) {
     EXPECT_FALSE(growth.surely_positive());
 }
 
-// 1000 cycles of a drift that scatters not at all, and grows a perturbation threefold only.
+// 1000 cycles of a steady drift that amplifies a perturbation only threefold.
 TEST(Growth, DoesNotTakeASlowDriftForChaos) {
     Growth growth;
     for (int n = 0; n < 1000; ++n) growth.advance(std::exp(0.001) * Eigen::Matrix2d::Identity());
@@ -38,12 +38,12 @@ TEST(Growth, RemembersTheLargestGrowth) {
     Growth growth;
     for (int n = 0; n < 10; ++n) growth.advance(2 * Eigen::Matrix2d::Identity());
     for (int n = 0; n < 500; ++n) growth.advance(0.5 * Eigen::Matrix2d::Identity());
-    // what came in with each of the ten cycles adds up: (4^11 - 1)/3 in squares
+    // contributions of the ten cycles add up: (4^11 - 1)/3 in squares
     EXPECT_NEAR(growth.sensitivity(), std::log((std::pow(4, 11) - 1) / 3) / 2, 1e-12);
     EXPECT_FALSE(growth.surely_positive());
 }
 
-// A contact that ends all memory of the start is no end to rounding: what comes in after it grows.
+// A contact that erases all memory of the start does not end rounding: later errors grow.
 TEST(Growth, CountsErrorsThatComeInLate) {
     Growth growth;
     Eigen::Matrix2d forgets;

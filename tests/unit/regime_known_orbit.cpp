@@ -1,4 +1,4 @@
-// A start that converges to a known orbit takes its values; one that doesn't is not taken for it.
+// A start that converges to a known orbit takes its values; one that does not is not assigned to it.
 #include "regime/known_orbit.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ AttractorTable knowing(const scene::Oscillator<double>& oscillator, const FoundA
     return table;
 }
 
-// Beside no impact, and beside an orbit of another period.
+// Coexisting with no impact, and with an orbit of another period.
 void expect_same_ends(const scene::Oscillator<double>& oscillator, const FoundAttractor& found) {
     const AttractorTable known = knowing(oscillator, found);
     std::int64_t cycles = 0;
@@ -98,7 +98,7 @@ TEST(KnownOrbit, AnOrbitNearByThatItDoesNotConvergeToIsNotTaken) {
     const auto oscillator = paper_rig(beam_150mm, 1.8, 1.6);
     auto found = found_from(oscillator, -1, 1).front();
     found.result.peak_force = 12345;
-    // the orbit of a rig with a smaller gap, passed off as one of this rig
+    // the orbit of a rig with a smaller gap, presented as one of this rig
     auto other = oscillator;
     other.gap -= 0.5;
     auto orbit = orbit_of(other, found_from(other, -1, 1).front());

@@ -1,4 +1,4 @@
-// Motions that last for ever: how far from the free orbit of a hammer with a cubic spring a trajectory may be.
+// Motions valid for all future time: bounds on a trajectory's distance from the free orbit with a cubic spring.
 #include "regime/lasting_motion_proof.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ struct FreeHammer {
     CycleBroker broker;
     StroboscopicMap map;
     LastingMotionProof settling;
-    SettledMotion motion;  // of the hammer that never touches the stop
+    SettledMotion motion;  // of a hammer that never touches the stop
 
     explicit FreeHammer(const scene::Oscillator<double>& with_cubic)
         : oscillator(with_cubic),
@@ -43,13 +43,13 @@ struct FreeHammer {
           settling(map),
           motion(settled()) {}
 
-    // Near the stop's far side, where the linear amplitude of the distance is what it is at phase 0.
+    // Near the stop's far side, where the linear amplitude of the distance equals its value at phase 0.
     [[nodiscard]] bool stays_free_at(double distance) const {
         return settling.stays_free(motion.point + scene::State<double>(distance, 0)).has_value();
     }
 
   private:
-    // The free orbit of the whole springs lies close to that of the linear ones.
+    // The free orbit of the nonlinear springs lies close to that of the linear ones.
     [[nodiscard]] SettledMotion settled() const {
         auto linear = oscillator;
         linear.cubic = 0;
@@ -68,8 +68,7 @@ scene::Oscillator<double> damped_hammer(double cubic, job::CubicForm form) {
     return oscillator;
 }
 
-// Distances grow to at most 1/(1 - L H) of their linear amplitude: what is proved ends there, and not at the
-// stop.
+// Distances grow to at most 1/(1 - L H) of their linear amplitude: the proof ends there, not at the stop.
 TEST(LastingMotionProof, ACubicSpringTakesItsShareOfTheRoom) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         const FreeHammer hammer(damped_hammer(1e-3, form));

@@ -77,8 +77,8 @@ std::vector<Orbit> orbits() {
             orbit_at(paper_rig(beam_150mm, 1.8, 1.6), 1)};
 }
 
-// Distance of a state at forcing phase 0 from the orbit's point of smallest displacement after the q cycles of
-// the period in which it comes nearest, by Taylor series in extended precision.
+// Smallest distance, over the q cycles of the period, of a state at forcing phase 0 from the orbit's point of
+// smallest displacement, by Taylor series in extended precision.
 double distance_after(const Orbit& orbit, scene::State<long double> state, int periods) {
     const study::TaylorCycleMap map(scene::in_precision<long double>(orbit.oscillator));
     const scene::State<double> target(orbit.result.orbit_displacement - orbit.oscillator.gap,
@@ -116,7 +116,7 @@ TEST(Neighbourhood, EveryStateInsideConverges) {
     }
 }
 
-// In the coexisting rig no start from which the search, run in full, ends elsewhere lies inside.
+// In the rig with coexisting attractors, the neighbourhood contains no start whose full search ends elsewhere.
 TEST(Neighbourhood, HoldsNoStartOfAnotherBasin) {
     const auto oscillator = paper_rig(beam_150mm, 1.8, 1.6);
     const Orbit orbit = orbit_at(oscillator, 1);

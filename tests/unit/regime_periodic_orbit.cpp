@@ -12,7 +12,7 @@
 namespace peterka::regime {
 namespace {
 
-// From the stable 1/1 at 2.5 on, each orbit the guess for the next one.
+// From the stable 1/1 at 2.5 on, with each orbit as the initial guess for the next.
 struct Followed {
     std::optional<PeriodicOrbit> orbit;
     std::int64_t cycles = 0;  // spent on the last one
@@ -42,7 +42,7 @@ Followed follow_one_a_cycle(double last_frequency, double most_stretch) {
 TEST(FindOrbit, ReachesUnstableOrbitsToo) {
     const auto [orbit, cycles] = follow_one_a_cycle(3.1, std::numeric_limits<double>::infinity());
     ASSERT_TRUE(orbit);
-    EXPECT_GT(orbit->multiplier, 1.5);  // the period doubled at 2.659
+    EXPECT_GT(orbit->multiplier, 1.5);  // the period doubles at 2.659
     EXPECT_FALSE(is_stable(*orbit));
     EXPECT_GT(cycles, 1);
 }
@@ -59,9 +59,9 @@ TEST(FindOrbit, GoesOnWhereItContracts) {
     EXPECT_TRUE(is_stable(*orbit));
 }
 
-// Period 25, on which errors grow a millionfold on the way: two starts from which Newton's method for a single
-// point gave forces of 51.988839 and 51.988565 and multipliers of 0.86566 and 0.85018. The right ones are from
-// an independent program.
+// Period 25, along which errors grow a millionfold: two starts from which
+// single shooting gave forces of 51.988839 and 51.988565 and multipliers of
+// 0.86566 and 0.85018. The reference values are from an independent program.
 TEST(FindOrbit, ALongOrbitIsTheSameFromEveryStart) {
     const double omega = 2 * std::numbers::pi * 4.5;
     auto oscillator = testing::paper_rig(testing::beam_170mm, 4.4, 1.4762520450293801);

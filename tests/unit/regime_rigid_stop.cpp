@@ -1,4 +1,4 @@
-// The decision procedure with a rigid stop: analytic orbits, the trap of the formula, chatter, rest.
+// The decision procedure with a rigid stop: analytic orbits, a spurious formula solution, chatter, sticking.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ TEST(RigidRegimes, SingleImpactOrbitsHaveTheSpeedOfTheFormula) {
     }
 }
 
-// Beyond the period doubling of the formula 1/1 is gone.
+// Beyond the formula's period doubling 1/1 no longer exists.
 TEST(RigidRegimes, PeriodDoublesAtTheFormulasFrequency) {
     for (const auto& [gap, frequency] : {std::pair{0.0, 2.6609482425529}, std::pair{0.5, 2.494678798104}}) {
         EXPECT_EQ(z(solved(rigid(0.6, frequency - 1e-3, gap), {-1 - gap, 0})), std::pair(1, 1));
@@ -61,7 +61,7 @@ TEST(RigidRegimes, AnOrbitThroughTheStopIsNone) {
     const auto oscillator = rigid(0.6, 1, 0);
     for (const double velocity : {-2.0, -0.5, 0.0, 1.0}) {
         const auto cell = solved(oscillator, {-1, velocity});
-        // what a plain Runge-Kutta method with bisection settles on
+        // limit found by a plain Runge-Kutta method with bisection
         ASSERT_EQ(cell.regime, Regime::periodic);
         EXPECT_EQ(z(cell), std::pair(2, 1)) << velocity;
         EXPECT_FALSE(cell.chatter);
@@ -69,7 +69,7 @@ TEST(RigidRegimes, AnOrbitThroughTheStopIsNone) {
         EXPECT_NEAR(cell.orbit_displacement, -1.4372541060637, 1e-10);
         EXPECT_NEAR(cell.orbit_velocity, 0.4940162935952, 1e-10);
 
-        // in long double it closes, and its impacts are as many
+        // in long double it closes, with the same number of impacts
         const trajectory::RigidExactMap<long double> map({.damping_ratio = 0.02L,
                                                           .contact = scene::Restitution<long double>{0.6L},
                                                           .frequency = 1,
@@ -85,7 +85,7 @@ TEST(RigidRegimes, AnOrbitThroughTheStopIsNone) {
     }
 }
 
-// The spring-dashpot stop becomes the rigid one as it gets stiffer: impact speeds differ by kappa^-1/2.
+// The spring-dashpot stop converges to the rigid one with stiffness: impact speeds differ by kappa^-1/2.
 TEST(RigidRegimes, IsTheLimitOfAStiffStop) {
     const double zeta_i = 0.2;
     const double restitution = 0.57174002758478;
@@ -132,14 +132,14 @@ TEST(RigidRegimes, OutOfReachThereIsNoImpact) {
     EXPECT_NEAR(cell.max_displacement, testing::free_amplitude(oscillator), 1e-9);
 }
 
-// Rest on the stop forgets everything before: multiplier 0, proved at once, one impact.
+// Sticking erases all memory: multiplier 0, proved at once, one impact.
 TEST(RigidRegimes, ChatterThatEndsInRestIsSuperstable) {
     struct Case {
         scene::Oscillator<double> oscillator;
         int impacts;
         bool chatter;
     };
-    // an impact and a chatter; a chatter that goes on across phase 0; one impact without any rebound
+    // an impact and a chatter; a chatter that continues across phase 0; one impact without rebound
     for (const auto& [oscillator, impacts, chatter] :
          {Case{rigid(0.6, 0.4, 0.05), 2, true}, Case{rigid(0.8, 0.8, -0.55), 1, true},
           Case{rigid(0, 2, 0), 1, false}}) {
@@ -153,14 +153,15 @@ TEST(RigidRegimes, ChatterThatEndsInRestIsSuperstable) {
         EXPECT_GT(cell.contact_time, 0);
         EXPECT_LT(cell.cycles, 40);
         EXPECT_EQ(cell.impact_rate, static_cast<double>(cell.impacts) / cell.period);
-        // the same without asking for the details of contacts
+        // the same without contact details
         const auto plain = find_steady_state(oscillator, {-1 - oscillator.gap, 0}, {});
         EXPECT_EQ(z(plain), z(cell));
         EXPECT_EQ(plain.chatter, cell.chatter);
     }
 }
 
-// Between two rests a perturbation may grow a lot; still, what follows a rest repeats what followed the last.
+// Between two sticking phases a perturbation may grow a lot; still,
+// the motion after each repeats that after the previous one.
 TEST(RigidRegimes, AHammerThatComesToRestAgainIsNeverChaotic) {
     const auto oscillator =
         rigid(0.32, 2.925196850393701, 0, testing::paper_rig(testing::beam_170mm, 1, 0).damping_ratio);

@@ -1,4 +1,4 @@
-// Cells solved side by side give what each gives alone.
+// Cells solved side by side give the same results as alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,8 +68,8 @@ std::vector<CellResult> one_by_one(const scene::Scene& scene) {
     return results;
 }
 
-// Both engines round differently. A label may depend on that where a perturbation grew by e^20 (the fractal
-// boundaries of chaos), and nowhere else.
+// The engines round differently. A label may depend on that where a perturbation grew by e^20 (fractal basin
+// boundaries, chaos), and nowhere else.
 TEST(SearchPool, LabelsAWholeMapAsTheScalarEngineDoes) {
     const scene::Scene scene(linear_job(60, 50));
     const auto together = pooled(scene);
@@ -105,7 +105,7 @@ TEST(SearchPool, ACellDoesNotDependOnItsCompany) {
     }
 }
 
-// The batch gathers no more than peak forces: what else is asked for comes from the scalar engine.
+// The batch records only peak forces: other quantities come from the scalar engine.
 TEST(SearchPool, MeasuresImpactsToo) {
     job::Job job = linear_job(9, 7);
     job.output.fields = {job::OptionalField::impact_speed, job::OptionalField::impulse,
@@ -125,8 +125,8 @@ TEST(SearchPool, MeasuresImpactsToo) {
     EXPECT_GT(measured, 15);
 }
 
-// A rigid stop, with and without what is measured of impacts; a preloaded one, on which chatter and rest go on
-// across the ends of cycles.
+// A rigid stop, with and without impact measurements; a preloaded one,
+// on which chatter and sticking continue across the ends of cycles.
 job::Job rigid_job(double restitution, double lowest_gap) {
     job::Job job = linear_job(40, 20);
     job.rows = {lowest_gap, 2.0, 20};
@@ -159,7 +159,7 @@ void expect_as_alone(const scene::Scene& scene) {
             EXPECT_NEAR(a.peak_force, b.peak_force, 1e-12 * b.peak_force);
         }
         EXPECT_NEAR(a.multiplier, b.multiplier, 1e-6);
-        // a long orbit that is superstable, by rest, makes as much of rounding as a run that comes to it
+        // a long orbit, superstable by sticking, amplifies rounding as much as a run that converges to it
         if (b.sensitivity > 12) continue;
         const auto expect_same = [&](double one, double other) {
             EXPECT_EQ(std::isnan(one), std::isnan(other));
@@ -196,7 +196,7 @@ TEST(SearchPool, OtherLawsAreServedOneAfterTheOther) {
     for (std::size_t n = 0; n < alone.size(); ++n) EXPECT_TRUE(same_bytes(together[n], alone[n])) << n;
 }
 
-// The cycles of a 2/2 orbit differ in force; those of a chaotic motion scatter.
+// The cycles of a 2/2 orbit differ in force; those of chaos scatter.
 TEST(SearchPool, ForcePerCycle) {
     job::Job job = linear_job(2, 1);
     job.output.fields = {job::OptionalField::force_per_cycle};
@@ -233,7 +233,7 @@ TEST(SearchPool, ForcePerCycle) {
     EXPECT_GT(chaotic, 0);
 }
 
-// The paper's cubic, stronger ones, none, and one too strong to split: every cell fails.
+// The paper's cubic, stronger ones, none, and one too strong to split: then every cell fails.
 TEST(SearchPool, SplitsTheCubicAsOneCellAloneDoes) {
     for (const double stiffness : {238.2325, 5e3, 0.0, 1e10}) {
         const scene::Scene scene(split_job(stiffness));

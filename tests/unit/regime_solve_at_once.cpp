@@ -1,4 +1,4 @@
-// Cells that never meet the stop are decided without a search, and as the search would.
+// Cells that never meet the stop are classified without a search, with the same result.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,7 +12,7 @@
 namespace peterka::regime {
 namespace {
 
-// Springs and stops of all kinds, from no cubic at all to one that no closed form carries.
+// Springs and stops of all kinds, from no cubic at all to one beyond the closed-form proof.
 job::Job any_job(std::mt19937& random) {
     const auto one_of = [&](std::initializer_list<double> values) {
         return values.begin()[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)];
@@ -57,7 +57,7 @@ TEST(SolveAtOnce, SaysWhatTheSearchSays) {
             EXPECT_TRUE(testing::same_bytes(*at_once, searched)) << n;
         } else {
             ++by_search_alone;
-            // else it needn't have been searched for
+            // otherwise no search would have been needed
             EXPECT_TRUE(searched.engine != Engine::exact || searched.cycles > 0) << n;
         }
     }

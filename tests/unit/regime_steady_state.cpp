@@ -1,4 +1,4 @@
-// The regimes: each with its proof, and what must not be taken for one.
+// The regimes: each with its proof, and motions that must not be mistaken for one.
 #include "regime/steady_state.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Regimes, StartDecidesWhereTwoAttractorsExist) {
     EXPECT_EQ(found[Regime::no_impact] + found[Regime::periodic], 11);
 }
 
-// Followed by hand, far beyond the cycle that proves that no impact comes any more.
+// Followed explicitly, far beyond the cycle that proves that no further impact occurs.
 TEST(Regimes, LastImpactIsTheLastCycleWithAContact) {
     const auto oscillator = paper_rig(beam_150mm, 1.80, 2.2);
     const trajectory::ExactCycleMap<double> map(oscillator);
@@ -69,7 +69,7 @@ TEST(Regimes, LastImpactIsTheLastCycleWithAContact) {
             if (passage.touched) last = cycle;
             x = passage.end;
         }
-        if (cell.sensitivity > 15) continue;  // chaos on the way: the cycle depends on rounding
+        if (cell.sensitivity > 15) continue;  // transient chaos: the cycle depends on rounding
         EXPECT_EQ(cell.last_impact, last) << velocity;
         found.insert(last);
     }
@@ -81,7 +81,7 @@ TEST(Regimes, LastImpactIsTheLastCycleWithAContact) {
 TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
     const CellResult cell = solve(paper_rig(beam_170mm, 2.88, 0.0));
     ASSERT_EQ(cell.regime, Regime::chaotic);
-    EXPECT_GE(cell.cycles, 300);  // the steady free motion reaches the stop: impacts go on for ever
+    EXPECT_GE(cell.cycles, 300);  // the steady free motion reaches the stop: impacts never end
     EXPECT_GT(cell.lyapunov, 0);
     EXPECT_GT(cell.sensitivity, 20);
     EXPECT_GT(cell.peak_force, 0);
@@ -90,7 +90,7 @@ TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
     EXPECT_EQ(cell.period, 0);
 }
 
-// Where the hammer may come free for good chaos is called later: most of it ends there.
+// Where the hammer may become free for good, chaos is declared later: most of it is transient.
 TEST(Regimes, ChaosThatMayEndIsWatchedLonger) {
     int chaotic = 0;
     for (double gap = 1.2; gap < 1.7; gap += 0.02) {
@@ -112,7 +112,7 @@ TEST(Regimes, SlowDriftIsNotChaos) {
     EXPECT_EQ(std::make_pair(alternating.impacts, alternating.period), std::make_pair(2, 2));
 }
 
-// A search orders several cycles at a time, unless it wants each one's largest force.
+// A search orders several cycles at a time, unless it needs each one's largest force.
 TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
     std::mt19937 random(6);
     std::map<Regime, int> found;
@@ -143,7 +143,7 @@ TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
         EXPECT_GE(many.cycles, single.cycles) << n;
         EXPECT_LT(many.cycles, single.cycles + 25) << n;
         if (single.cycles <= Recurrence::early_cycles) {
-            EXPECT_EQ(many.cycles, single.cycles) << n;  // what wasn't looked at doesn't count
+            EXPECT_EQ(many.cycles, single.cycles) << n;  // cycles not examined do not count
             ++settled_early;
         }
         went_ahead += many.cycles > single.cycles ? 1 : 0;
@@ -213,8 +213,8 @@ TEST(Regimes, NoRandomCellFails) {
     }
 }
 
-// Far outside any rig, every cell still ends in a claim, or says what stopped it: an elastic stop under
-// preload, stiff beyond steel, lets the hammer tremble more often in a cycle than can be followed.
+// Even for extreme rigs every cell ends in a claim or in a stated reason: under preload, an elastic stop
+// stiffer than steel lets the hammer oscillate more often per cycle than can be followed.
 TEST(Regimes, ExtremeScenesEnd) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> share(0, 1);
@@ -246,7 +246,7 @@ TEST(Regimes, ExtremeScenesEnd) {
     EXPECT_GT(found[Regime::sustained_contact], 0);
 }
 
-// Shares of the regimes over the paper's window, from runs of 20,000 cycles by another program.
+// Shares of the regimes over the paper's window, from 20,000-cycle runs of another program.
 TEST(Regimes, ShareTheWindowAsKnown) {
     constexpr int points = 200;
     std::map<Regime, int> cells;

@@ -1,4 +1,4 @@
-// What the critical kicks of many cells say together, and in words.
+// The critical kicks of many cells, summarised in words.
 #include "report/kicks_summary.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ KickCounts counts_of_some() {
     for (const std::vector<StoredAttractor>& here : std::vector<std::vector<StoredAttractor>>{
              {attractor(not_tried), attractor(harder)},  // chaos has the largest share
              {attractor(thrown)},
-             {attractor(none), attractor(thrown)},  // that of the largest share counts
+             {attractor(none), attractor(thrown)},  // the attractor of largest share counts
              {attractor(none)},
              {attractor(not_tried)}}) {
         add_kick(counts, here);
@@ -95,7 +95,7 @@ TEST(KicksSummary, TellsFromWhereToWhereCellsWereTried) {
         << text;
 }
 
-// Without [starts] nobody knows of other motions.
+// Without [starts] other motions are unknown.
 TEST(KicksSummary, OfACellsOwnMotionSaysNothingOfOthers) {
     KickCounts counts;
     StoredCell cell;

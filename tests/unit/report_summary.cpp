@@ -1,4 +1,4 @@
-// The summary says what the statistics hold, in words and units for a newcomer.
+// The summary reports the statistics, in words and units for a newcomer.
 #include "report/summary.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(Summary, NoStatusIsLeftWithoutWords) {
         findings::Statistics statistics = statistics_of_a_hundred_cells();
         statistics.counts.unresolved_by_status = {};
         statistics.counts.unresolved_by_status[status] = 4321;
-        statistics.counts.unresolved_by_status[status == 1 ? 2 : 1] = 1;  // the number of each shows
+        statistics.counts.unresolved_by_status[status == 1 ? 2 : 1] = 1;  // the number of each is shown
         const std::string line = line_with(summary(statistics), "4,321: ");
         EXPECT_TRUE(contains(line, "unresolved")) << cell::status_names[status];
         EXPECT_FALSE(line.ends_with("4,321: ")) << cell::status_names[status];
@@ -168,7 +168,7 @@ TEST(Summary, StartsInsideAStopThatYieldsAreTold) {
     job.rows = {-2.0, 2.0, 5, job::Spacing::linear};
     const findings::Statistics statistics = statistics_of_a_hundred_cells();
     const std::string text = summary_text({scene::Scene(job), {statistics, {}, {}}, "a.h5", {1, 1}});
-    // 5.5e6 N/m times 1.78 mm, less what the dashpot takes: the cart leaves at A0 Omega, slowest at 0.5 omega
+    // 5.5e6 N/m times 1.78 mm, minus the dashpot's part: the cart moves at A0 Omega, slowest at 0.5 omega
     EXPECT_TRUE(contains(text,
                          "82 of 205 starts lie inside the stop, by up to 2 A0 (1.78 mm): it presses with "
                          "up to 9.77 kN at once\n"))

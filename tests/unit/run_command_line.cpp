@@ -1,4 +1,4 @@
-// What the command line is understood to ask for.
+// Interpretation of the command line.
 #include "run/command_line.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What control groups leave, as their files tell it, in folders that look like those of containers and batch
-// systems.
+// Memory left by control groups according to their files, in
+// folders that mimic those of containers and batch systems.
 #include "run/memory_left.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST_F(ControlGroups, TheTightestOfAGroupAndThoseAboveItCounts) {
     write("group/job_7/step_0/memory.current", "300000000\n");
     write("group/job_7/step_0/task_1/memory.max", "max\n");
     write("group/job_7/step_0/task_1/memory.current", "10000000\n");
-    EXPECT_EQ(left(), 750000000);  // pages of files that nobody uses are left
+    EXPECT_EQ(left(), 750000000);  // unused file cache counts as free
     write("group/job_7/step_0/memory.max", "400000000\n");
     EXPECT_EQ(left(), 100000000);
     write("group/job_7/step_0/memory.max", "200000000\n");

@@ -1,4 +1,4 @@
-// One rank's tiles: all are solved, and no more are begun at a time than the work allows.
+// One rank's tiles: all are solved, with no more begun at a time than permitted.
 #include "run/solve_tiles.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using parallel::Tile;
 
 constexpr std::int64_t tiles = 40;
 
-// Deals tiles 0, 1, ... of a row as often as it is asked.
+// Deals tiles 0, 1, ... of a row on each request.
 class Row : public parallel::TileSource {
   public:
     std::optional<Tile> next() override {
@@ -39,7 +39,7 @@ class Row : public parallel::TileSource {
     std::set<std::int64_t> done;
 };
 
-// Most begun at once; each tile is one cell, of which many are chaotic and take long.
+// Largest number in progress at once; each tile is one cell, and many are chaotic and take long.
 std::int64_t most_begun(std::size_t most_in_hand) {
     job::Job job = testing::job_170mm(0);
     job.columns = {2.8, 4.2, tiles, job::Spacing::linear};

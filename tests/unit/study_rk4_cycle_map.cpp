@@ -1,4 +1,5 @@
-// Runge-Kutta of order 4 with a fixed step: with events located it keeps its order, without it falls to one.
+// Runge-Kutta of order 4 with a fixed step: with located events
+// it keeps its order, without them it drops to order one.
 #include "study/rk4_cycle_map.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ TEST(Rk4CycleMap, HasOrderFourWithEvents) {
     EXPECT_LT(fine.impact_time, 1e-12);
 }
 
-// The error of a single step count depends on where the event falls in its step: a mean over many counts.
+// The error at a single step count depends on where the event falls within its step: a mean over many counts.
 double mean_error_without_events(int about) {
     double sum = 0;
     constexpr int counts = 40;

@@ -34,7 +34,7 @@ struct Place {
 constexpr std::array<Place, 8> regular_cells{
     {{2.0, 0.0}, {1.3, 1.0}, {1.1, 4.0}, {3.5, 0.3}, {2.75, 0.0}, {0.8, 0.2}, {3.1, 0.0}, {4.2, 0.5}}};
 
-// Two ways to the same numbers: closed-form legs with events by bounds, and power series with events by signs.
+// Two independent methods: closed-form legs with events by bounds, and power series with events by signs.
 TEST(TaylorCycleMap, IsTheClosedFormToExtendedPrecisionOnRegularCells) {
     for (const Place& place : regular_cells) {
         const auto rig = paper_rig(beam_170mm, place.frequency, place.gap);
@@ -71,7 +71,7 @@ TEST(TaylorCycleMap, IsTheClosedFormFromRandomStartsAtStopsOfAllKinds) {
     std::normal_distribution<double> state(0, 3);
     int impacts = 0;
     for (int n = 0; n < 200; ++n) {
-        const double its_gap = gap(random);  // one by one: compilers differ in the order of arguments
+        const double its_gap = gap(random);  // separately: the evaluation order of arguments is unspecified
         auto rig = paper_rig(beam_170mm, frequency(random), its_gap);
         if (n % 4 == 1) rig.kelvin_voigt().damping *= 12;   // overdamped
         if (n % 4 == 2) rig.kelvin_voigt().stiffness = 50;  // soft
@@ -130,14 +130,14 @@ TEST(TaylorCycleMap, RigidOneImpactOrbitsHaveTheSpeedsOfTheFormula) {
 }
 
 TEST(TaylorCycleMap, AChatterEndsInStickingAndCountsOnce) {
-    // pressed for half of each cycle, in which soft rebounds die
+    // pressed for half of each cycle, in which soft rebounds die out
     const TaylorCycleMap map(rigid(0.3L, 0, 0.3L));
     const State<Real> x = settled(map, {-1, 0}, 30);
     const auto cycle = map(x);
     ASSERT_EQ(cycle.outcome, Outcome::done);
     EXPECT_TRUE(cycle.touched);
     EXPECT_TRUE(std::isnan(cycle.peak_force));
-    // what comes after sticking is fixed by the phase of release alone
+    // the motion after sticking depends on the phase of release alone
     EXPECT_EQ(map(x + State<Real>(-1e-6L, 1e-6L)).end, cycle.end);
     EXPECT_LE(cycle.impacts, 3);
 
@@ -180,7 +180,7 @@ TEST(TaylorCycleMap, HuntCrossleyOfExponentOneIsALinearSpring) {
 // One impact of a free mass, delta'' = -K delta^n (1 + D delta'), from speed v to w back:
 // v/D - ln(1 + D v)/D^2 = -w/D - ln(1 - D w)/D^2, whatever n; and for D = 0 the deepest point by energy.
 TEST(TaylorCycleMap, HuntCrossleyImpactLosesWhatItsIntegralSays) {
-    constexpr Real stiffness = 1e20L;  // so short an impact that springs and drive add nothing
+    constexpr Real stiffness = 1e20L;  // so short an impact that springs and drive contribute nothing
     constexpr Real speed = 20;
     for (const Real exponent : {1.5L, 2.5L}) {
         for (const Real dissipation : {0.0L, 0.02L}) {

@@ -30,7 +30,7 @@ TEST(Verdict, TellsRegimesOfThePapersRig) {
         Regime regime;
         int impacts, period;
     };
-    // eight regular cells among them 2/2, which isn't 1/1, and 3/2
+    // eight regular cells, among them 2/2, which is not 1/1, and 3/2
     for (const Expected& cell :
          {Expected{2.0, 0.0, Regime::periodic, 1, 1}, Expected{3.5, 0.3, Regime::periodic, 1, 2},
           Expected{2.75, 0.0, Regime::periodic, 2, 2}, Expected{3.1, 0.0, Regime::periodic, 3, 2},
@@ -74,7 +74,7 @@ TEST(Battery, NamesAreUniqueWordsAndScenesAreWhatTheySay) {
         }
         if (scene.contact_stiffness_n_per_m) {
             stiffest = std::max(stiffest, cell.oscillator.kelvin_voigt().stiffness);
-            // zeta_i = ci/(2 sqrt(m ki)) is the rig's, if the scene gives none
+            // zeta_i = ci/(2 sqrt(m ki)) of the rig, unless the scene gives one
             const auto& stop = cell.oscillator.kelvin_voigt();
             const double expected =
                 scene.contact_damping_ratio.value_or(1.2e3 / (2 * std::sqrt(0.298 * 5.5e6)));

@@ -1,4 +1,4 @@
-// A stranger's text can't command a terminal, whatever is in it, and stays legible.
+// Untrusted text cannot command a terminal, whatever it contains, and stays legible.
 #include "support/escape_untrusted.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ TEST(Harmless, LeavesPlainTextAlone) {
 
 TEST(Harmless, ShowsControlsAsSuch) {
     EXPECT_EQ(escape_untrusted("a\x1b[2Jb\r\a\x7f"), "a\\x1b[2Jb\\x0d\\x07\\x7f");
-    EXPECT_EQ(escape_untrusted("\u009b31m"), "\\u009b31m");        // the same command in one letter
-    EXPECT_EQ(escape_untrusted("abc\u202edef"), "abc\\u202edef");  // turns the direction of writing
+    EXPECT_EQ(escape_untrusted("\u009b31m"), "\\u009b31m");        // the same command as a single character
+    EXPECT_EQ(escape_untrusted("abc\u202edef"), "abc\\u202edef");  // reverses the writing direction
     EXPECT_EQ(escape_untrusted(std::string("a\0b", 3)), "a\\x00b");
     EXPECT_EQ(escape_untrusted("\U000e0041"), "\\U000e0041");
 }
@@ -29,7 +29,7 @@ TEST(Harmless, ShowsWhatIsNoUtf8ByteByByte) {
     EXPECT_EQ(escape_untrusted("\x9b"
                                "31m"),
               "\\x9b31m");                                  // a control of an eight-bit terminal
-    EXPECT_EQ(escape_untrusted("\xc0\x9b"), "\\xc0\\x9b");  // too long a form of it
+    EXPECT_EQ(escape_untrusted("\xc0\x9b"), "\\xc0\\x9b");  // an overlong encoding of it
     EXPECT_EQ(escape_untrusted("\xe2\x82"), "\\xe2\\x82");  // cut off
     EXPECT_EQ(escape_untrusted("\xed\xa0\x80"), "\\xed\\xa0\\x80");
     EXPECT_EQ(escape_untrusted("\xf5\x80\x80\x80"), "\\xf5\\x80\\x80\\x80");
@@ -47,7 +47,7 @@ TEST(Harmless, IsCutBetweenLetters) {
     EXPECT_EQ(escape_untrusted(std::string(100'000'000, 'x')).size(), 200U);
 }
 
-// Bytes at random: what comes out has no control, ends up no longer than was asked for, and stays as it is.
+// Random bytes: the result has no control characters, is no longer than requested, and is a fixed point.
 TEST(Harmless, NothingGetsThrough) {
     std::mt19937 random(1);  // NOLINT(*-msc51-cpp): the same each time
     for (int round = 0; round < 20'000; ++round) {

@@ -1,4 +1,4 @@
-// What functions expect of each other is looked at where the program is built to be tested.
+// Preconditions between functions are checked in builds for testing.
 #include "support/expect.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Expect, TellsWhatWasExpectedAndWhere) {
     }
 }
 
-// At the doors of the kernel and of dealing.
+// At the entry points of the kernel and of dealing.
 TEST(Expect, StandsAtDoors) {
     batch::BatchedCycleMap map(testing::paper_rig(testing::beam_170mm, 1, 0), 2);
     map.add(2, 0.5, {-1, 0});

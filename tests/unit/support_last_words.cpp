@@ -1,4 +1,4 @@
-// However the program ends, it says why.
+// However the program ends, it reports why.
 #include "support/last_words.hpp"
 
 #include <gtest/gtest.h>

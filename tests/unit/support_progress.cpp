@@ -1,4 +1,4 @@
-// What the progress line says; when it is printed is left to the end-to-end tests.
+// The contents of the progress line; the end-to-end tests cover when it is printed.
 #include "support/progress.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(Progress, SilentIsSilent) {
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-// What a terminal of 80 columns gets to see while it is stderr.
+// What an 80-column terminal shows when connected to stderr.
 template <class Work>
 std::string shown_on_a_terminal(const Work& work) {
     int ours = -1;
@@ -88,7 +88,7 @@ std::string shown_on_a_terminal(const Work& work) {
     dup2(before, STDERR_FILENO);
     close(before);
     close(its);
-    // What was written gets here in parts, then an error, for nobody writes any more.
+    // The output arrives in parts, then an error, because the other end is closed.
     std::string shown;
     std::array<char, 4096> part{};
     for (ssize_t length = 0; (length = read(ours, part.data(), part.size())) > 0;) {

@@ -1,4 +1,4 @@
-// Numbers as people read them.
+// Numbers formatted for readers.
 #include "support/readable.hpp"
 
 #include <gtest/gtest.h>

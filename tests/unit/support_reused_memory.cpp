@@ -1,4 +1,4 @@
-// Blocks that were given back are used again, and never by two at a time.
+// Returned blocks are reused, and never by two owners at a time.
 #include "support/reused_memory.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Signals and the clock ask to stop; nothing else happens.
+// Signals and the clock request a stop; nothing else happens.
 #include "support/stop_request.hpp"
 
 #include <gtest/gtest.h>

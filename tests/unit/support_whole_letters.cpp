@@ -1,4 +1,4 @@
-// Texts that are cut keep whole letters.
+// Truncated texts keep whole characters.
 #include "support/whole_letters.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace peterka {
 namespace {
 
 TEST(WholeLetters, AreNeverCutInTwo) {
-    const std::string text = "a\u00e9\u20ac\U0001d11eb";  // letters of 1, 2, 3, 4 and 1 bytes
+    const std::string text = "a\u00e9\u20ac\U0001d11eb";  // characters of 1, 2, 3, 4 and 1 bytes
     const std::size_t ends[] = {0, 1, 1, 3, 3, 3, 6, 6, 6, 6, 10, 11, 11, 11};
     ASSERT_EQ(text.size(), 11U);
     for (std::size_t longest = 0; longest < std::size(ends); ++longest) {

@@ -1,4 +1,4 @@
-// A trace against what maps say of its cell, against balances, and against other engines.
+// A trace against the map's result for its cell, against balances, and against other engines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct Place {
 
 class TraceOfOrbit : public ::testing::TestWithParam<Place> {};
 
-// Three ways to the peak: the decision procedure's own orbit, the largest impact of the trace, and the zero of
+// Three ways to the peak: the decision procedure's orbit, the largest impact of the trace, and the zero of
 // the force's slope in the window.
 TEST_P(TraceOfOrbit, HasThePeakForceOfTheMap) {
     const auto [frequency_ratio, gap_ratio, impacts, period] = GetParam();
@@ -58,8 +58,8 @@ INSTANTIATE_TEST_SUITE_P(Cells, TraceOfOrbit,
                          ::testing::Values(Place{2, 0, 1, 1}, Place{12.25 / 4.5, 0, 2, 2},
                                            Place{15.25 / 4.5, 0, 1, 2}, Place{3.1, 0, 3, 2}));
 
-// A map observes a motion without a period after half a small budget: so does a trace. Few cycles, for in chaos
-// a rounding error grows by e^0.5 or so in each.
+// A map observes a non-periodic motion after half of a small budget: so does a trace. Few cycles, because in
+// chaos rounding errors grow by about e^0.5 in each.
 TEST(Trace, OfAMotionWithoutAPeriodShowsTheCyclesThatAMapCounts) {
     job::Job job = traced(3.1031746, 0.3968254, 15);
     job.steady_state.max_cycles = 30;
@@ -78,7 +78,7 @@ TEST(Trace, OfChaosBeginsAfterItsTransient) {
     EXPECT_EQ(trace.course.period, 0);
 }
 
-// Two impacts of different strength in turn: a map's mean over the cycles is that of both.
+// Two impacts of alternating strength: a map's mean over the cycles is that of both.
 TEST(Trace, HasTheForcesPerCycleOfTheMap) {
     job::Job job = traced(12.25 / 4.5, 0, 2);
     job.output.fields = {job::OptionalField::force_per_cycle};
@@ -128,7 +128,8 @@ TEST(Trace, IsTheSameByEveryEngine) {
     }
 }
 
-// Its states lie off the motion between kicks: a start of -1 was shown as -0.9999998, flights as 6e-6 off.
+// Its states lie off the motion between kicks: a start of
+// -1 appeared as -0.9999998, and flights were off by 6e-6.
 TEST(Trace, OfSplitSpringsShowsTheMotionAndNotItsKicks) {
     job::Job job = traced(2, 1, 2);
     job.hammer.cubic_stiffness_n_per_m3 = 238.2325;
@@ -181,7 +182,7 @@ TEST(Trace, ShowsTheJumpOfTheForceAtTouch) {
     EXPECT_EQ(force(*(touch - 1)), 0);
 }
 
-// The acceleration is that of the motion: x over three neighbouring samples of free flight.
+// The acceleration matches the motion: x over three neighbouring samples of free flight.
 TEST(Trace, AcceleratesAsItMoves) {
     job::Job job = traced(1.7, 5, 1);
     job.trace.samples_per_cycle = 2000;

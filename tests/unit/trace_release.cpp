@@ -43,8 +43,8 @@ TEST(Release, DecaysFreely) {
     }
 }
 
-// On a stop so stiff that springs do nothing during the collision; at gap 0 without damping of the springs the
-// hammer comes back as fast as it left.
+// On a stop so stiff that the springs have no effect during the collision; at gap 0 without damping of the
+// springs the hammer returns as fast as it left.
 TEST(Release, StrikesAsAFreeMassDoes) {
     const double stiffness = 1e12;  // kappa
     for (const double zeta : {0.1, 0.2, 0.47}) {
@@ -76,7 +76,7 @@ TEST(Release, IsTheSameByEveryEngineAndKeepsAStrongCubicSpring) {
     job.solver.engine = job::EngineChoice::arkode;
     const Trace integrated = make_trace(scene::Scene(job));
     for (const auto form :
-         {job::CubicForm::relative, job::CubicForm::absolute}) {  // the same with a cart at rest
+         {job::CubicForm::relative, job::CubicForm::absolute}) {  // the same for a cart at rest
         job.hammer.cubic = form;
         job.solver.engine = job::EngineChoice::automatic;
         const Trace split = make_trace(scene::Scene(job));

@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The stop holds the hammer at a constant depth for a while: a rectangular pulse of force.
+// The stop holds the hammer at constant depth for a while: a rectangular force pulse.
 TEST(Spectrum, OfARectangularPulse) {
     const scene::Oscillator<double> oscillator{.contact = scene::KelvinVoigt<double>{7, 0}, .frequency = 1};
     Transform transform(oscillator, 1, 5, 0.1, 401);
@@ -25,12 +25,12 @@ TEST(Spectrum, OfARectangularPulse) {
         const double w = 0.1 * static_cast<double>(n);
         const Complex expected = w == 0 ? 3.5
                                         : 7.0 * std::polar(1.0, -w * 1.25) * 2.0 * std::sin(w * 0.25) /
-                                              w;  // begins 1 after the part
+                                              w;  // begins 1 after the window
         EXPECT_LT(std::abs(transform.lines()[n].force - expected), 1e-12) << w;
     }
 }
 
-// A free swing u = cos(t) of an undamped hammer in a cart at rest, cut to the part.
+// A free oscillation u = cos(t) of an undamped hammer in a cart at rest, cut to the window.
 TEST(Spectrum, OfASine) {
     const scene::Oscillator<double> oscillator{.contact = scene::KelvinVoigt<double>{1, 0}, .gap = 10};
     const double length = 7;
@@ -58,8 +58,8 @@ job::Job alternating() {
     return job;
 }
 
-// Line by line (1 - w^2 + 2 i zeta w) u = eta^2 - f: but for the forcing's own line, what shakes the hammer is
-// the stop.
+// Line by line (1 - w^2 + 2 i zeta w) u = eta^2 - f: except at
+// the forcing's own line, the hammer is driven by the stop.
 TEST(Spectrum, OfAnOrbitObeysTheEquationOfMotion) {
     const Trace trace = make_trace(scene::Scene(alternating()));
     const auto& oscillator = trace.course.oscillator;

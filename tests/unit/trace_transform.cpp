@@ -1,4 +1,4 @@
-// The Fourier integral of a pulse whose every angle is known to the last bit.
+// The Fourier integral of a pulse whose phase angles are all exact.
 #include "trace/transform.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace peterka::trace {
 namespace {
 
-// An impact on a rigid stop: one impulse. Its angle from line to line is a sum of powers of two, so that w t is
-// exact; what is left are the errors of turning it by that angle, which would add up over all lines.
+// An impact on a rigid stop: one impulse. Its phase increment between lines is a sum of powers of two, so
+// that w t is exact; only errors of the rotations remain, which would accumulate over all lines.
 TEST(Transform, ErrorsOfTurningDoNotAddUpOverTheLines) {
     const scene::Oscillator<double> oscillator{
         .contact = scene::Restitution<double>{0.5}, .frequency = 1, .gap = 2};

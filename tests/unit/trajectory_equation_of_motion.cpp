@@ -1,4 +1,4 @@
-// What the integrators are made of: the equation of motion, and the search of a step for events.
+// Components of the integrators: the equation of motion, and the search of a step for events.
 #include "trajectory/equation_of_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 using integrators::first_rise;
 using integrators::Sample;
 
-// Signals of one radian between two samples, by their closed form.
+// Signals spanning one radian between two samples, in closed form.
 TEST(StepSearch, FindsHopsAndMaximaBetweenSamples) {
     const auto hop = [](double offset, double phase) {
         return [=](double t) {
@@ -30,7 +30,7 @@ TEST(StepSearch, FindsHopsAndMaximaBetweenSamples) {
     EXPECT_LT(found->above.time, 0.3 + std::acos(0.9999));
     const auto low = hop(1 + 1e-9, 0.3);
     EXPECT_FALSE(first_rise(low(0), low(1), low));
-    // leaving the surface downwards is no rise, coming back is one
+    // leaving the surface downwards is not a rise, returning is
     auto leaving = [](double t) { return Sample{t, t * (t - 0.6), 2 * t - 0.6, 2}; };
     EXPECT_FALSE(first_rise(leaving(0), leaving(0.5), leaving));
     const auto back = first_rise(leaving(0), leaving(1), leaving);

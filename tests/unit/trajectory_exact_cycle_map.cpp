@@ -19,7 +19,7 @@ using testing::beam_170mm;
 using testing::observed;
 using testing::paper_rig;
 
-// Central differences of the map, where the contacts are the same on both sides.
+// Central differences of the map, if the contacts are the same on both sides.
 std::optional<Jacobian<double>> differences(const ExactCycleMap<double>& map, const State<double>& x) {
     constexpr double h = 1e-6;
     Jacobian<double> jacobian;
@@ -47,7 +47,7 @@ TEST(ExactCycleMap, JacobianIsTheDerivative) {
         const auto expected = differences(map, x);
         if (!expected || cycle.pattern != observed(map, x).pattern) continue;
         const double size = cycle.jacobian.norm();
-        if (size > 50) continue;  // next to grazing the differences themselves are off
+        if (size > 50) continue;  // near grazing the differences themselves are inaccurate
         ++compared;
         EXPECT_LT((cycle.jacobian - *expected).norm(), 1e-4 * (1 + size))
             << map.oscillator().frequency << " " << x.transpose();
@@ -56,7 +56,7 @@ TEST(ExactCycleMap, JacobianIsTheDerivative) {
 }
 
 TEST(ExactCycleMap, ShrinksAreasByItsDissipation) {
-    // det J = exp(-2 zeta T) exp(-chi t_contact) and the entries' saltation leaves areas alone
+    // det J = exp(-2 zeta T) exp(-chi t_contact): the saltation matrices of the entries preserve area
     const auto oscillator = paper_rig(beam_170mm, 2.0, 0.0);
     const auto cycle = ExactCycleMap<double>(oscillator)({-5.0, -2.7});
     ASSERT_EQ(cycle.impacts, 1);

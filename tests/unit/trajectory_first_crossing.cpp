@@ -48,14 +48,14 @@ TEST(FirstCrossing, StopsAtTheEndOfTheLeg) {
 
 TEST(FirstCrossing, LeavesAZeroAtTheStart) {
     const LinearMotion<double> motion({0.01, 1, 0, 0, 1});
-    const Leg<double> leg(motion, {0, -1}, 0);  // goes down, and is back at zero after half a natural period
+    const Leg<double> leg(motion, {0, -1}, 0);  // moves down, and returns to zero after half a natural period
     const Probe<double> probe({.position = 1}, motion);
     const auto search = first_crossing(leg, probe, leg.start(), 6.0);
     ASSERT_EQ(search.ending, Ending::crossing);
     EXPECT_NEAR(search.moment.time, std::numbers::pi / std::sqrt(1 - 1e-4), 1e-14);
 }
 
-// The bound must hold at every later time, in each way of damping; a violated bound is how events get lost.
+// The bound must hold at every later time, for each kind of damping; a violated bound loses events.
 TEST(Probe, BoundsHoldEverAfter) {
     for (const double damping : {0.0, 0.01, 0.5, 0.98, 1.0, 1.02, 3.0, 50.0}) {
         for (const double frequency : {0.3, 1.0, 2.5}) {

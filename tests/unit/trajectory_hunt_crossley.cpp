@@ -59,7 +59,7 @@ TEST(HuntCrossleyCycle, AgreesWithAnIndependentIntegration) {
                     EXPECT_EQ(cycle.impacts, oracle.impacts());
                     const double allowed = tolerance * (1 + cycle.end.norm()) * (1 + cycle.jacobian.norm());
                     EXPECT_LT((cycle.end - oracle.state()).norm(), allowed);
-                    // later impacts inherit what the motion between them does to errors
+                    // later impacts inherit the error growth of the motion between them
                     const double speed = oracle.impact_speed();
                     const double energy = 1 + speed * speed;
                     EXPECT_NEAR(totals.peak_force(), oracle.peak_force(), 3 * tolerance * oracle.peak_force());
@@ -107,7 +107,7 @@ TEST(HuntCrossleyCycle, JacobianIsTheDerivative) {
     }
 }
 
-// Without dissipation a contact gives back what it took.
+// Without dissipation a contact returns all energy.
 TEST(HuntCrossleyCycle, ElasticContactsTakeNoWork) {
     for (const double n : {1.0, 1.5, 2.5}) {
         const Oscillator<double> oscillator{
@@ -127,8 +127,8 @@ TEST(HuntCrossleyCycle, ElasticContactsTakeNoWork) {
     }
 }
 
-// K to 1e12 and D to 1e3: beyond what the oracle follows in reasonable time, so the integrators check each
-// other.
+// K to 1e12 and D to 1e3: beyond what the oracle can follow
+// in reasonable time, so the integrators check each other.
 TEST(HuntCrossleyCycle, IntegratorsAgreeOnExtremeStops) {
     constexpr double tolerance = 1e-6;
     for (const double stiffness : {1e-2, 1e6, 1e12}) {
@@ -143,7 +143,7 @@ TEST(HuntCrossleyCycle, IntegratorsAgreeOnExtremeStops) {
                 std::vector<Cycle<double>> cycles;
                 std::vector<double> forces;
                 for (const Integrator integrator : every_integrator) {
-                    // Adams follows the creeping return of such stops in more steps than it may take
+                    // Adams needs too many steps for the creeping return of such stops
                     if (dissipation == 1e3 && integrator == Integrator::cvode_adams) continue;
                     Recorder<double> recorder;
                     cycles.push_back(
@@ -172,7 +172,7 @@ struct Place {
     double dissipation;
 };
 
-// Peak forces of periodic orbits keep the tolerance asked for; the orbit itself is checked by the oracle.
+// Peak forces of periodic orbits meet the requested tolerance; the oracle checks the orbit itself.
 TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
     using regime::Engine;
     for (const Place& place :
@@ -198,7 +198,7 @@ TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
         EXPECT_LT((oracle.state() - point).norm(), 1e-10 * (1 + point.norm()));
         EXPECT_EQ(oracle.impacts(), best.impacts);
         EXPECT_NEAR(best.peak_force / oracle.peak_force(), 1, 1e-10);
-        // over a period the drive brings in what stop and damper take
+        // over a period the drive supplies what stop and damper dissipate
         EXPECT_NEAR(oracle.drive_work(), oracle.damper_loss() + oracle.contact_work(),
                     1e-9 * oracle.drive_work());
         EXPECT_NEAR(best.contact_power * oscillator.period() * best.period, oracle.contact_work(),
@@ -216,7 +216,7 @@ TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
     }
 }
 
-// A preload that never lets go: proved as an orbit, for nothing about this contact is linear.
+// A preload that never separates: proved as an orbit, because this contact is nonlinear.
 TEST(HuntCrossleyOrbits, SustainedContactIsFound) {
     const Oscillator<double> oscillator{
         .damping_ratio = 0.1, .contact = HuntCrossley<double>{50, 1.5, 0.5}, .frequency = 0.5, .gap = -2};

@@ -47,9 +47,9 @@ TEST(HuntCrossleyForce, HasTheDerivativesOfItsFormula) {
     }
 }
 
-// So stiff a stop that spring and cart do nothing during the collision: m delta'' = -K delta^n (1 + D delta').
-// With G(v) = v/D - ln(1 + D v)/D^2, the integral of v/(1 + D v): K delta^(n+1)/(n+1) = G(v0) - G(v) on the
-// way.
+// So stiff a stop that spring and cart have no effect during the collision: m
+// delta'' = -K delta^n (1 + D delta'). With G(v) = v/D - ln(1 + D v)/D^2, the
+// integral of v/(1 + D v): K delta^(n+1)/(n+1) = G(v0) - G(v) during compression.
 struct Collision {
     double exponent;
     double dissipation;
@@ -107,7 +107,7 @@ TEST(HuntCrossleyImpact, IsThatOfAFreeMass) {
                     ASSERT_EQ(totals.impacts, 1);
                     const double speed = totals.impact_speed;
                     const double after = collision.speed_after(speed);
-                    // what spring and cart do meanwhile: their acceleration times the duration
+                    // effect of spring and cart: their acceleration times the duration
                     const double others = 20 * totals.contact_time;
                     EXPECT_NEAR(totals.impulse, speed + after, 2 * tolerance * speed + others);
                     EXPECT_NEAR(totals.contact_work, (speed * speed - after * after) / 2,

@@ -1,4 +1,4 @@
-// What a recorder gathers from Kelvin-Voigt contacts, against formulas, balances and plain sums.
+// Quantities recorded for Kelvin-Voigt contacts, against formulas, balances and direct summation.
 #include "trajectory/recorder.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct RecordedCollision {
 
 class RecordedImpact : public ::testing::TestWithParam<RecordedCollision> {};
 
-// So stiff a stop that the beam spring and the cart do nothing during the collision.
+// So stiff a stop that the beam spring and the cart have no effect during the collision.
 TEST_P(RecordedImpact, IsThatOfAFreeMass) {
     constexpr double stiffness = 1e26;
     const auto [zeta, restitution] = GetParam();
@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(DampingRatios, RecordedImpact,
                                            RecordedCollision{1, std::exp(-2.0)},
                                            RecordedCollision{2, 0.04776873250562}));
 
-// Over any number of cycles: the change of energy is what the drive brings in, less what damper and stop take.
-// The impulses of the impacts make up the change of momentum that spring, damper and drive leave over.
+// Over any number of cycles: the change of energy equals the drive's work minus the dissipation of damper and
+// stop. The impulses of the impacts equal the change of momentum not due to spring, damper and drive.
 TEST(Recorder, BalancesEnergy) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> frequency(0.3, 4.5);
@@ -74,7 +74,7 @@ TEST(Recorder, BalancesEnergy) {
         Recorder<double> recorder(Detail::energy);
         State<double> x(-oscillator.gap - std::abs(state(random)), state(random));
         x[0] = std::min(x[0], -1e-3);
-        const auto energy = [&] {  // of hammer and beam springs; with the stop's spring where it is pressed
+        const auto energy = [&] {  // energy of hammer and beam springs, plus the stop's spring while compressed
             const double u = x[0] + oscillator.gap;
             return (x[1] * x[1] + u * u) / 2;
         };
@@ -96,7 +96,7 @@ TEST(Recorder, BalancesEnergy) {
     EXPECT_GT(impacts, 400);
 }
 
-// One impact from first touch to flight, with spring, damper and drive integrated by plain sums.
+// One impact from first touch to flight, with spring, damper and drive integrated by summation.
 TEST(Recorder, ImpulseIsTheChangeOfMomentum) {
     auto oscillator = paper_rig(beam_170mm, 1.7, 0.3);
     oscillator.contact = scene::KelvinVoigt<double>{40, 1};
@@ -109,7 +109,7 @@ TEST(Recorder, ImpulseIsTheChangeOfMomentum) {
     constexpr int steps = 200'000;
     double sum_of_u = 0;
     State<double> at = x;
-    // the cycle by the classical Runge-Kutta method, which is wrong by about a step at each event
+    // the cycle by the classical Runge-Kutta method, with an error of about one step at each event
     const double h = oscillator.period() / steps;
     const auto slope = [&](const State<double>& s, double t) {
         const auto phase = phase_of(oscillator, s);
@@ -130,7 +130,7 @@ TEST(Recorder, ImpulseIsTheChangeOfMomentum) {
     EXPECT_NEAR(recorder.totals().impulse, impulse, 2e-4 * impulse);
 }
 
-// A hammer that is in contact at phase 0: the impact that lasts across it counts once, and in full.
+// A hammer in contact at phase 0: the impact that spans it counts once, and completely.
 TEST(Recorder, ImpactsMayLastAcrossTheEndOfACycle) {
     auto oscillator = paper_rig(beam_170mm, 0.75, -0.5);
     oscillator.damping_ratio = 0.02;
@@ -186,7 +186,7 @@ TEST(Recorder, LargestDisplacementIsAMaximumAndTheBoundIsAbove) {
         const State<double> x(-2 - std::abs(state(random)), state(random));
         Recorder<double> recorder(Detail::contacts);
         std::ignore = ExactCycleMap<double>(oscillator)(x, &recorder);
-        // the split map of a vanishing cubic stops every 1/400 of the cycle
+        // the split map of a vanishing cubic stops at every 1/400 of the cycle
         oscillator.cubic = 1e-300;
         Recorder<double> fine(Detail::contacts);
         std::ignore = SplitCycleMap<double>(oscillator, 400)(x, &fine);
@@ -208,7 +208,7 @@ TEST(Recorder, ResultsOfACellCarryWhatWasAskedFor) {
     const auto cell = regime::find_steady_state(oscillator, start, {}, {}, {.detail = Detail::contacts});
     EXPECT_EQ(cell.peak_force, plain.peak_force);
     EXPECT_FALSE(cell.chatter);
-    // a periodic orbit: what the stop takes is what the drive brings in less what the springs' damper takes
+    // a periodic orbit: the stop dissipates the drive's work minus the dissipation of the springs' damper
     Recorder<double> recorder(Detail::energy);
     const ExactCycleMap<double> map(oscillator);
     State<double> x(cell.orbit_displacement - oscillator.gap, cell.orbit_velocity);

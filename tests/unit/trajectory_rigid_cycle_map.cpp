@@ -1,4 +1,4 @@
-// The cycle map of a hammer that hits a rigid stop: against brute force, differences and more digits.
+// The cycle map of a hammer with a rigid stop: against brute force, differences and extended precision.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -17,7 +17,7 @@ namespace {
 using testing::rigid;
 using Outcome = Cycle<double>::Outcome;
 
-// A fixed-step Runge-Kutta method whose steps end at the impacts, found by bisection.
+// A fixed-step Runge-Kutta method whose steps end at the impacts, located by bisection.
 template <class Real>
 struct BruteForce {
     State<Real> end;
@@ -77,7 +77,7 @@ TEST(RigidCycleMap, AgreesWithBruteForce) {
         const State<double> x(-3 * uniform(random), 8 * uniform(random) - 4);
         const auto cycle = RigidExactMap<double>(oscillator)(x);
         ASSERT_EQ(cycle.outcome, Outcome::done);
-        if (cycle.impacts > 12) continue;  // steps don't resolve the end of a chatter
+        if (cycle.impacts > 12) continue;  // the steps do not resolve the end of a chatter
         const auto expected = brute_force(oscillator, x, 4000);
         EXPECT_EQ(cycle.impacts, expected.impacts) << n;
         EXPECT_LT((cycle.end.cast<long double>() - expected.end).norm(), 1e-9L * (1 + cycle.jacobian.norm()))
@@ -131,8 +131,7 @@ TEST(RigidCycleMap, AgreesWithLongDouble) {
         for (int c = 0; c < 5; ++c) {
             const auto cycle = map(x);
             const auto expected = finer(x.cast<long double>());
-            if (cycle.outcome == Outcome::too_many_events && r == 1)
-                break;  // an elastic hammer that is pressed
+            if (cycle.outcome == Outcome::too_many_events && r == 1) break;  // an elastic hammer under preload
             ASSERT_EQ(cycle.outcome, Outcome::done) << n;
             EXPECT_LE(cycle.end[0], 0);
             EXPECT_EQ(cycle.pattern, expected.pattern) << n;
@@ -159,12 +158,12 @@ TEST(RigidCycleMap, NearlyElasticTendsToElastic) {
         EXPECT_LT(change, 20 * loss + 1e-13);
         EXPECT_GT(change, loss / 20);
     }
-    // without any loss areas stay what they are
+    // without any dissipation areas are preserved
     const auto conservative = RigidExactMap<double>(rigid(1, 2.2, 1.0, 0))(x);
     EXPECT_NEAR(std::abs(conservative.jacobian.determinant()), 1, 1e-12);
 }
 
-// A hammer that is pressed all the time and hardly loses speed hops too often: an outcome, not an endless loop.
+// A preloaded hammer that loses hardly any speed hops too often: an outcome, not an endless loop.
 TEST(RigidCycleMap, TooManyImpactsAreAnOutcome) {
     for (const double r : {1 - 1e-6, 1 - 1e-12}) {
         const auto cycle = RigidExactMap<double>(rigid(r, 0.05, -2))({-1e-6, 1e-3});

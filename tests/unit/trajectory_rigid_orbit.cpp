@@ -1,4 +1,4 @@
-// Periodic orbits of a hammer that hits a rigid stop: against the formulas of one impact in n cycles.
+// Periodic orbits of a hammer with a rigid stop: against the formulas for one impact in n cycles.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>

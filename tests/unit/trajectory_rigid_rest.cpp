@@ -1,4 +1,4 @@
-// A hammer that comes to rest at a rigid stop, at once or by a chatter: against formulas and balances.
+// A hammer that sticks to a rigid stop, at once or after chatter: against formulas and balances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,8 +17,8 @@ namespace {
 using testing::rigid;
 using Outcome = Cycle<double>::Outcome;
 
-// r = 0 and gap 0: the hammer sticks from its first impact while 4 sin(theta) > 0, and falls from theta = pi
-// on.
+// r = 0 and gap 0: the hammer sticks from its first impact
+// while 4 sin(theta) > 0, and is released at theta = pi.
 TEST(RigidCycleMap, SticksUntilThePhaseOfRelease) {
     for (const double gap : {0.0, 0.5, 1.0}) {
         const auto oscillator = rigid(0, 2, gap);
@@ -53,7 +53,7 @@ TEST(RigidCycleMap, SticksUntilThePhaseOfRelease) {
     }
 }
 
-// Many small impacts end in rest: one impact, flagged, and as long as the impacts one by one say.
+// Many small impacts end in sticking: one impact, flagged, of the duration given by the individual impacts.
 TEST(RigidCycleMap, ACompletedChatterIsOneImpact) {
     for (const double r : {0.2, 0.6, 0.8}) {
         const auto oscillator = rigid(r, 1.3, 0.2);
@@ -64,7 +64,7 @@ TEST(RigidCycleMap, ACompletedChatterIsOneImpact) {
         Recorder<long double> finer(Detail::energy);
         const auto expected =
             RigidExactMap<long double>(rigid<long double>(r, 1.3, 0.2))(x.cast<long double>(), &finer);
-        EXPECT_GT(expected.impacts, cycle.impacts);  // followed further
+        EXPECT_GT(expected.impacts, cycle.impacts);  // followed longer
         const auto& totals = recorder.totals();
         EXPECT_TRUE(totals.chatter);
         EXPECT_EQ(totals.impacts, 1) << r;
@@ -76,7 +76,7 @@ TEST(RigidCycleMap, ACompletedChatterIsOneImpact) {
     }
 }
 
-// Two chains of which only the second ends in rest: the first counts impact by impact.
+// Two chatter sequences of which only the second ends in sticking: the first counts impact by impact.
 TEST(RigidCycleMap, ChatterThatIsNotCompletedCountsEachImpact) {
     const auto oscillator = rigid(0.9, 3.0, 0.0);
     Recorder<double> recorder;
@@ -87,8 +87,8 @@ TEST(RigidCycleMap, ChatterThatIsNotCompletedCountsEachImpact) {
     EXPECT_FALSE(recorder.is_open());
 }
 
-// At a negative gap the hammer is pressed at phase 0, and a chatter may go on there. On the periodic orbit the
-// impulse over a cycle is minus the integral of u, and the energy balance closes.
+// At a negative gap the hammer is preloaded at phase 0, and chatter may continue across it. On the periodic
+// orbit the impulse over a cycle is minus the integral of u, and the energy balance closes.
 TEST(RigidCycleMap, ChatterMayCrossTheEndOfACycle) {
     int crossed = 0;
     for (const auto& [eta, gap] :
@@ -103,14 +103,14 @@ TEST(RigidCycleMap, ChatterMayCrossTheEndOfACycle) {
             const auto first = map(x, &recorder);
             ASSERT_LT((first.end - x).norm(), 1e-12);
             ASSERT_TRUE(recorder.is_open() && first.separated);
-            crossed += x[0] < 0;  // not in rest at phase 0
+            crossed += x[0] < 0;  // not sticking at phase 0
             recorder.reset_totals();
             std::ignore = map(x, &recorder);
             const auto& totals = recorder.totals();
             EXPECT_EQ(totals.impacts, 1) << gap << " " << r;
             EXPECT_TRUE(totals.chatter);
             EXPECT_NEAR(totals.drive_work, totals.damper_work + totals.contact_work, 1e-12);
-            // trapezoids; the state between is that of a journey which stops there
+            // trapezoidal rule; intermediate states are those of a run that stops there
             constexpr int pieces = 4000;
             double sum = 0;
             Journey<double> journey = legs.depart(x);
@@ -126,7 +126,7 @@ TEST(RigidCycleMap, ChatterMayCrossTheEndOfACycle) {
     EXPECT_GE(crossed, 6);
 }
 
-// Kicks vanish at the stop, so sticking is that of the linear equation, which carries the cubic's load there.
+// Kicks vanish at the stop, so sticking follows the linear equation, with the cubic spring's load there.
 TEST(RigidSplitMap, SticksAsTheCubicSpringLetsIt) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         auto oscillator = rigid(0.05, 2, 0.3);

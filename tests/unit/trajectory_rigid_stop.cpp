@@ -1,4 +1,4 @@
-// The law of the rigid stop: pressing, release, and the end of chatter, against formulas and brute force.
+// The law of the rigid stop: preload, release, and the end of chatter, against formulas and brute force.
 #include "trajectory/rigid_stop.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(RigidStop, FindsEveryReleaseOfACubicSpring) {
                 EXPECT_NEAR(a(from + stop.ahead_to_release(from)), 0, 1e-13);
             }
         }
-        // and the impulse of a stretch
+        // and the impulse of an interval
         double sum = 0;
         for (int i = 0; i < steps; ++i)
             sum += a(1 + 2.5 * (i + 0.5) / steps) * 2.5 / steps / oscillator.frequency;
@@ -155,7 +155,7 @@ TEST_P(ChatterTime, IsThatOfTheImpactsOneByOne) {
     w *= share;
     const auto exact = static_cast<double>(time_to_rest(oscillator, theta, w));
     const double told = *stop.time_to_rest(theta, w);
-    // what is left is lost in the rounding of a time of order 1
+    // the remainder is lost in the rounding of a time of order 1
     EXPECT_NEAR(told, exact, 2e-17);
     const double first_order = 2 * w / (stop.acceleration(theta) * (1 - r));
     EXPECT_GT(std::abs(first_order - exact), 20 * std::abs(told - exact)) << "the correction is worth nothing";

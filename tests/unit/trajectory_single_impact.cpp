@@ -1,4 +1,4 @@
-// One impact of a free mass on the spring-dashpot stop, against the closed formulas of the collision.
+// One impact of a free mass on the spring-dashpot stop, against the closed collision formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct SpringDashpotCollision {
 
 class SingleImpact : public ::testing::TestWithParam<SpringDashpotCollision> {
   protected:
-    // So stiff a stop that the beam spring and the cart do nothing during the collision.
+    // So stiff a stop that the beam spring and the cart have no effect during the collision.
     static constexpr double stiffness = 1e26;
     [[nodiscard]] scene::Oscillator<double> oscillator() const {
         return {.damping_ratio = 0.05,  // later impacts are weaker

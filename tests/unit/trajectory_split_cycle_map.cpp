@@ -1,4 +1,5 @@
-// Kicks by the cubic spring between exact legs: order, Jacobian, and agreement with a Taylor integration.
+// Kicks by the cubic spring between exact legs (Strang splitting):
+// order, Jacobian, and agreement with a Taylor method.
 #include "trajectory/split_cycle_map.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
         impacts += exact.impacts;
         EXPECT_EQ(steps.pattern, exact.pattern) << n;
         EXPECT_EQ(steps.impacts, exact.impacts) << n;
-        // errors of the start grow by the Jacobian
+        // errors of the start grow with the Jacobian
         const double rounding = 1e-13 * (1 + exact.jacobian.norm());
         EXPECT_LT((steps.end - exact.end).norm(), rounding) << n;
         EXPECT_NEAR(steps.peak_force, exact.peak_force, rounding * (1 + exact.peak_force)) << n;
@@ -130,7 +131,7 @@ TEST(SplitCycleMap, JacobianIsTheDerivative) {
             expected.col(i) = (up.end - down.end) / (2 * h);
         }
         const double size = cycle.jacobian.norm();
-        if (!smooth || size > 50) continue;  // next to grazing the differences themselves are off
+        if (!smooth || size > 50) continue;  // near grazing the differences themselves are inaccurate
         ++compared;
         EXPECT_LT((cycle.jacobian - expected).norm(), 1e-4 * (1 + size)) << n << " " << x.transpose();
     }
@@ -162,7 +163,7 @@ TEST(SplitCycleMap, KeepsThreeImpactsInTwoCycles) {
 }
 
 TEST(SplitCycleMap, SustainedContactCarriesTheStaticLoadOfTheCubic) {
-    // a spring that presses the hammer on the stop; the cubic adds cubic * |gap|^3 to the load
+    // a spring that presses the hammer against the stop; the cubic adds cubic * |gap|^3 to the load
     auto oscillator = cubic_rig({0.5, -3.0}, 0.01);
     auto linear = oscillator;
     linear.cubic = 0;

@@ -1,4 +1,4 @@
-// How many kicks per cycle a tolerance takes, and what their number tells of the error.
+// The number of kicks per cycle that a tolerance requires, and its relation to the error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(SplitSteps, GrowWithTheCubicAndEndWhereSplittingIsNotFit) {
     EXPECT_LT(split_steps(oscillator, 7, 1e-6), weak);
     oscillator.cubic = 1e5 * paper_cubic;
     EXPECT_EQ(split_steps(oscillator, 7, 1e-9), 0);
-    oscillator.cubic = -0.01;  // gives way at |u| = 10
+    oscillator.cubic = -0.01;  // unstable beyond |u| = 10
     EXPECT_EQ(split_steps(oscillator, 7, 1e-2), 0);
     EXPECT_EQ(SplitCycleMap<double>(oscillator, 0)({-1, 0}).outcome, Cycle<double>::Outcome::solver_failed);
 }

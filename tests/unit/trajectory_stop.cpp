@@ -1,4 +1,4 @@
-// A cycle that takes long is left in its middle when somebody asks to stop: every engine looks at the request.
+// A long cycle is interrupted when a stop is requested: every engine checks the request.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -23,7 +23,7 @@ using study::TaylorCycleMap;
 
 scene::Oscillator<double> bouncing() {
     auto oscillator = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
-    oscillator.contact = scene::KelvinVoigt<double>{1e4, 0};  // pressed against it, without any loss
+    oscillator.contact = scene::KelvinVoigt<double>{1e4, 0};  // preloaded, without any dissipation
     return oscillator;
 }
 

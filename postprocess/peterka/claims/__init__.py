@@ -1,6 +1,6 @@
-"""The claims of the paper, each tested on files that jobs/paper.sh computes, and the page that tells how they fare.
+"""The paper's claims, each tested on files computed by jobs/paper.sh, and the page that reports the verdicts.
 
-`record` is what a claim says, how it fared and by which limits; `folder` opens the computed files; gap_zero, pulse,
-force_map, jumps, robust, drift, stiffness and starts each return the claims of one group; `claims` collects them; sensitivity tells
-which parameter would remove a difference; `page` puts all together; `markdown` and `html` write it.
+`record` holds a claim, its verdict and the limits used; `folder` opens the computed files; gap_zero, pulse, force_map,
+jumps, robust, drift, stiffness and starts each return one group of claims; `claims` collects them; sensitivity finds the
+parameter that would remove a difference; `page` assembles everything; `markdown` and `html` write it.
 """

@@ -1,7 +1,7 @@
-"""What a drift of the frequency leaves of the force, from every start: at gap 0, and at higher gaps (section 5; section 4.2).
+"""Effect of a frequency drift on the force, from every start: at gap 0 and at larger gaps (section 5; section 4.2).
 
-The largest force that a place has at the worst with the drift, against the largest that a place of the same gap has
-without: the worst over the box of drift and over all starts of the map, whatever the regime, as operating_point.py has it.
+Compares the largest worst-case force of any place with drift to the largest one at the same gap without drift: the worst
+case over the box of drift and over all starts of the map, whatever the regime, as in operating_point.py.
 """
 
 from dataclasses import dataclass
@@ -27,8 +27,8 @@ SAYS = {
 
 @dataclass(frozen=True)
 class Kept:
-    """Of each gap of a map, (rows,): the gap in mm, and the largest force in N that a place has at the worst, `still` and
-    `drifting`; 0 where none does."""
+    """For each gap of a map, (rows,): the gap in mm, and the largest worst-case force of any place in N, `still` (without
+    drift) and `drifting`; 0 if no place has one."""
 
     gaps: np.ndarray
     still: np.ndarray
@@ -36,12 +36,12 @@ class Kept:
 
     @property
     def kept(self) -> Reals:
-        """The share of the force that the drift leaves."""
+        """The share of the force that remains under drift."""
         return np.divide(self.drifting, self.still, out=np.zeros(len(self.gaps)), where=self.still > 0)
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     paths = {rig: folder.path / f"drift_{rig}.h5" for rig in RIGS}
     missing = [path.name for path in paths.values() if not path.exists()]
     if missing:
@@ -62,7 +62,7 @@ def claims(folder: Folder) -> list[Claim]:
 
 
 def kept_of(path: Path, hertz: float, starts: str) -> Kept:
-    """The Kept of a map with [starts], of ANY of them or the JOB's own alone."""
+    """The Kept of a map with [starts], over ANY of them or for the JOB's own start alone."""
     with PeterkaFile(path) as file:
         found = admitted(file, starts, "peak_force")
         metres = file.positive("cart_amplitude_m")
@@ -76,7 +76,7 @@ def kept_of(path: Path, hertz: float, starts: str) -> Kept:
 
 
 def _higher(found):
-    """Of each rig, the words on the gaps behind the first."""
+    """For each rig, a description of the gaps above the first."""
     return {rig: "; ".join(_in_words(each, row) for row in range(1, len(each.gaps))) for rig, each in found.items()}
 
 

@@ -1,4 +1,4 @@
-"""Limits of bands from curves: where an orbit of the map ends, doubles its period, or gains or loses an impact, exactly."""
+"""Exact band limits from curves: where an orbit of the map ends, doubles its period, or gains or loses an impact."""
 
 from dataclasses import dataclass
 
@@ -10,19 +10,19 @@ FILE = "curves_170mm"
 
 @dataclass(frozen=True)
 class Limit:
-    """`kind` in words; None where no curve is known there, and the limit is one of the map's cells."""
+    """`kind` in words; None if no curve is known there, and the limit is taken from the map's cells."""
 
     hz: float
     kind: str | None = None
 
     @property
     def text(self) -> str:
-        """The limit in Hz, to as many digits as it is known, and its kind."""
+        """The limit in Hz, to all known digits, and its kind."""
         return f"{self.hz:.9g} Hz ({self.kind})" if self.kind else f"{self.hz:.2f} Hz"
 
 
 def limits(folder: Folder, plane: Plane, found: tuple[float, float], z: tuple[int, int], row: int = 0) -> list[Limit]:
-    """The two limits [Hz] of a band of z = (p, q), each from the curve within one column of it."""
+    """The two limits [Hz] of a band of z = (p, q), each taken from the curve within one column of it."""
     step = plane.frequency_hz[1] - plane.frequency_hz[0]
     near = [_borders(folder, plane, z, row, value, step) for value in found]
     return [min(borders, key=lambda limit: abs(limit.hz - value)) if borders else Limit(float(value))
@@ -37,7 +37,7 @@ def _borders(folder, plane, z, row, hz, step):
 
 
 def _bounds(curve, z):
-    """Whether the orbit of z ends there, or changes."""
+    """Whether the orbit of z ends or changes on this curve."""
     if curve.kind == "period_doubling" and (2 * curve.impacts, 2 * curve.period) == z:
         return True
     more = z[0] - curve.impacts
@@ -45,7 +45,7 @@ def _bounds(curve, z):
 
 
 def _crossings(folder, plane):
-    """Those of the same rig."""
+    """The file's curves, if computed for the same rig."""
     curves = folder.curves(FILE)
     same_rig = curves is not None and all(curves.job.get(name) == plane.job.get(name) for name in RIG)
     return curves.crossings if same_rig else []

@@ -1,6 +1,6 @@
-"""The files of a folder of results, by name, as plain arrays; None where one is missing.
+"""The files of a results folder, by name, as plain arrays; None for a missing file.
 
-Files are read by the readers that draw them, which check what they read. All maps here are small enough to be held.
+Files are read by the readers used for drawing, which check their input. All maps here are small enough to hold in memory.
 """
 
 import tomllib
@@ -23,14 +23,14 @@ from ..maps.map_file import PeterkaFile
 from .record import SOME
 
 
-SMALLEST = 1 / LARGEST  # of what a rig must have more of than nothing
-BASINS = ("basin_", "nearby_", "sensitivity/1")  # names begin so; those of maps don't
+SMALLEST = 1 / LARGEST  # lower bound of rig numbers that must be positive
+BASINS = ("basin_", "nearby_", "sensitivity/1")  # names of basins begin so; those of maps do not
 
 
 @dataclass(frozen=True)
 class Plane:
-    """Cells of a map or a basin: rows (y,) and columns (x,) of the axes, and (y, x) of each field. `job` is the job that
-    computed them, with all its defaults."""
+    """Cells of a map or a basin: the axes' rows (y,) and columns (x,), and each field (y, x). `job` is the job that computed
+    them, with all defaults resolved."""
 
     path: Path
     kind: str
@@ -45,7 +45,7 @@ class Plane:
 
     @property
     def natural_frequency_hz(self) -> float:
-        """Of the hammer on its springs."""
+        """Natural frequency of the hammer on its springs."""
         return self.job["hammer"]["natural_frequency_hz"]
 
     @property
@@ -55,55 +55,55 @@ class Plane:
 
     @property
     def frequency_hz(self) -> Reals:
-        """Of the columns of a map."""
+        """Frequencies [Hz] of the columns of a map."""
         return self.columns * self.natural_frequency_hz
 
     @property
     def amplitude_mm(self) -> float:
-        """Of the cart."""
+        """Amplitude of the cart [mm]."""
         return 1e3 * self.job["cart"]["amplitude_m"]
 
     def is_orbit(self, impacts: int, period: int) -> Mask:
-        """Which cells have the orbit z = impacts/period, (y, x)."""
+        """Mask of the cells with the orbit z = impacts/period, (y, x)."""
         return (self.regime == PERIODIC) & (self.impacts == impacts) & (self.period == period)
 
     @property
     def gap_ratio(self) -> float:
-        """Of a basin."""
+        """Gap ratio of a basin."""
         return self.job["operating_point"]["gap_ratio"]
 
     @property
     def frequency_ratio(self) -> float:
-        """Of a basin."""
+        """Frequency ratio of a basin."""
         return self.job["operating_point"]["frequency_ratio"]
 
     @property
     def label_code(self) -> Integers:
-        """A number for each label."""
+        """A number for each label, (y, x)."""
         return label_codes(self.regime, self.impacts, self.period)
 
     @property
     def is_settled(self) -> Mask:
-        """Verified for ever: orbit, no impact or lasting contact."""
+        """Mask of regimes verified for all future time: orbit, no impact or lasting contact."""
         return np.isin(self.regime, [NO_IMPACT, PERIODIC, SUSTAINED_CONTACT])
 
     @property
     def quiet(self) -> Mask:
-        """Which cells end without impacts, (y, x)."""
+        """Mask of the cells that end without impacts, (y, x)."""
         return self.regime == NO_IMPACT
 
     @property
     def strikes(self) -> Mask:
-        """Impacts go on: verified orbits and chaos."""
+        """Mask of the cells whose impacts continue: verified orbits and chaos."""
         return (self.regime == PERIODIC) | (self.regime == CHAOTIC)
 
     @property
     def has_both(self) -> bool:
-        """Whether some of the starts of a basin end in impacts and some in none."""
+        """Whether a basin has both starts that end in impacts and starts that end without."""
         return min(self.share(self.strikes), self.share(self.quiet)) >= SOME
 
     def share(self, mask: Mask) -> float:
-        """Of all cells."""
+        """Share of all cells in the mask."""
         return float(np.mean(mask))
 
     def column_at_hz(self, frequency_hz: float) -> int:
@@ -117,25 +117,25 @@ class Plane:
 
 @dataclass(frozen=True)
 class Curves:
-    """Of a file of curves: its job, and where they have the gaps that it names."""
+    """Contents of a file of curves: its job, and the curves' crossings of the gaps that the job names."""
 
     job: dict[str, Any]
     crossings: list[Crossing]
 
 
 class Folder:
-    """Files of a folder by their names without .h5."""
+    """The files of a folder, by name without .h5."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
 
     def plane(self, name: str) -> Plane | None:
-        """The cells of a map or a basin; None where there is no such file."""
+        """The cells of a map or a basin; None if the file does not exist."""
         path = self.path / f"{name}.h5"
         return self._read(path) if path.exists() else None
 
     def curves(self, name: str) -> Curves | None:
-        """The curves of a file; None where there is no such file."""
+        """The curves of a file; None if the file does not exist."""
         path = self.path / f"{name}.h5"
         if not path.exists():
             return None
@@ -143,11 +143,11 @@ class Folder:
             return Curves(read_job(file), file.crossings)
 
     def planes(self, prefix: str) -> list[Plane]:
-        """All files whose names begin so, in the order of their names."""
+        """All files whose names begin with `prefix`, ordered by name."""
         return [self._read(path) for path in sorted(self.path.glob(f"{prefix}*.h5"))]
 
     def _read(self, path):
-        """A plane of the kind that the name stands for."""
+        """Reads a plane of the kind that the name implies."""
         plane = read_plane(path)
         kind = "basin" if path.relative_to(self.path).as_posix().startswith(BASINS) else "map"
         if plane.kind != kind:
@@ -160,7 +160,7 @@ class Folder:
 
 
 def require_alike(planes: Sequence[Plane]) -> None:
-    """Planes that are compared cell by cell."""
+    """Requires planes that can be compared cell by cell."""
     for plane in planes[1:]:
         if plane.regime.shape != planes[0].regime.shape:
             raise PeterkaFileError(f"{plane.path} has {plane.regime.shape} cells, and {planes[0].path} {planes[0].regime.shape}; "
@@ -168,7 +168,7 @@ def require_alike(planes: Sequence[Plane]) -> None:
 
 
 def read_plane(path: Path) -> Plane:
-    """The cells of a file, all of which have to be computed."""
+    """The cells of a file, all of which must be computed."""
     with PeterkaFile(path) as file:
         names = ["regime", "impacts", "period", "peak_force_ratio"] + ["last_impact"] * file.has_last_impact
         bands = [band for _, band in file.bands(names)]
@@ -180,8 +180,8 @@ def read_plane(path: Path) -> Plane:
 
 
 def read_job(file: OpenedFile) -> dict[str, Any]:
-    """The job of a file as tables, with all numbers that a rig must have; its natural frequency is there whichever way the
-    job gave the stiffness."""
+    """The job of a file as tables, with all numbers required of a rig,
+    including its natural frequency whichever way the job gave the stiffness."""
     text = file.data.attribute("job")
     try:
         job = tomllib.loads(text if isinstance(text, str) else "")

@@ -19,7 +19,7 @@ TIMES = 3  # as printed
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     planes = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
     missing = [f"peterka_{rig}.h5" for rig, plane in planes.items() if plane is None]
     if missing:
@@ -35,7 +35,7 @@ def forces_one_to_one(plane: Plane) -> Reals:
 
 
 def _natural(planes, pictures):
-    """At gap 0, any z at the natural frequency; and of z = 1/1 alone, over all gaps, as Fig. 23 shows it."""
+    """At gap 0, any z at the natural frequency; and z = 1/1 alone, over all gaps, as in Fig. 23."""
     at_gap_0, of_one = [], []
     for plane in planes.values():
         forces, column = forces_one_to_one(plane), int(np.argmin(np.abs(plane.columns - 1)))
@@ -75,13 +75,13 @@ def _inside(planes, pictures):
 
 
 def _best_turn(inside):
-    """The number of first rows to call `inside` so that fewest rows are otherwise."""
+    """The number of leading rows to call `inside` that misclassifies the fewest rows."""
     wrong = [np.sum(~inside[:turn]) + np.sum(inside[turn:]) for turn in range(len(inside) + 1)]
     return int(np.argmin(wrong))
 
 
 def _largest_lies_inside(plane):
-    """Rows that have z = 1/1, and whether the largest force of their widest band has neighbours of the band."""
+    """Rows with z = 1/1, and whether the largest force of their widest band lies inside that band."""
     rows, inside = [], []
     for row, mask in enumerate(plane.is_orbit(1, 1)):
         band = widest(mask)
@@ -105,7 +105,7 @@ def _zero_gap(planes, pictures):
 
 
 def _over(force, other):
-    """NaN, which agrees with nothing, where there is no other force."""
+    """The ratio; NaN, which agrees with nothing, if there is no other force."""
     return force / other if other > 0 else np.nan
 
 

@@ -7,7 +7,7 @@ from .folder import Folder, Plane
 from .record import FREQUENCY, Claim, claim, near, not_computed, off_by
 from .spans import span_around, widest
 
-FILE = "gaps_170mm"  # a map of few gaps, 0 the first, and fine frequencies
+FILE = "gaps_170mm"  # a map of few gaps, 0 first, with finely spaced frequencies
 PLACE = "section 3.1"
 BAND_ONE, BAND_HALF = (4.00, 11.50), (12.0, 16.0)  # Hz, as printed
 PEAK_N, PEAK_HZ, ALTERNATING_HZ, HALF_HZ = 204.0, 9.00, 12.25, 15.25
@@ -25,7 +25,7 @@ LOSSES = ("the model has one mode: the real hammer loses energy at each impact t
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     plane = folder.plane(FILE)
     if plane is None:
         return [not_computed(f"gap_0_{key}", PLACE, says, f"{FILE}.h5") for key, says in SAYS.items()]
@@ -34,7 +34,7 @@ def claims(folder: Folder) -> list[Claim]:
 
 def limits_hz(plane: Plane, impacts: int, period: int, inside_hz: float | None = None,
               row: int = 0) -> tuple[float, float] | None:
-    """(from, to) of the band of this z at a gap: the one that holds a frequency, or the widest one; None without it.
+    """(from, to) of a band of this z at a gap: the band containing a given frequency, else the widest; None without one.
 
     Limits lie half-way to the next column."""
     mask = plane.is_orbit(impacts, period)[row]
@@ -46,19 +46,19 @@ def limits_hz(plane: Plane, impacts: int, period: int, inside_hz: float | None =
 
 
 def at_edge(plane: Plane, found: tuple[float, float]) -> tuple[bool, bool]:
-    """Whether each of two limits is where the map ends: then the band goes on, and the limit is no number to compare."""
+    """Whether each of the two limits is the edge of the map: the band then continues, and the limit cannot be compared."""
     return found[0] <= plane.frequency_hz[0], found[1] >= plane.frequency_hz[-1]
 
 
 def in_words(plane: Plane, found: tuple[float, float]) -> str:
-    """"from 4.01 to 11.50 Hz", with words where the map ends before the band does."""
+    """"from 4.01 to 11.50 Hz", noting where the map ends before the band does."""
     first, last = at_edge(plane, found)
     begins = f"from below {found[0]:.2f}" if first else f"from {found[0]:.2f}"
     return f"{begins} to beyond {found[1]:.2f} Hz, where the map ends" if last else f"{begins} to {found[1]:.2f} Hz"
 
 
 def force_at(plane: Plane, frequency_hz: float, row: int = 0) -> float:
-    """[N]"""
+    """Force [N] in this row, interpolated in frequency."""
     return float(np.interp(frequency_hz, plane.frequency_hz, plane.force_n[row]))
 
 
@@ -72,7 +72,7 @@ def resonance(plane: Plane, impacts: int, period: int, row: int = 0) -> tuple[fl
 
 
 def label(plane: Plane, frequency_hz: float, row: int = 0) -> str:
-    """What the cell nearest to a frequency does: its z, or its regime in words."""
+    """The regime of the cell nearest to a frequency: its z, or its regime in words."""
     column = plane.column_at_hz(frequency_hz)
     if plane.quiet[row, column]:
         return "no impact"
@@ -108,7 +108,7 @@ def _band(folder, key, plane, z, printed, inside_hz, why):
     found_cells, found = found, tuple(limit.hz for limit in exact)
     holds, differences = True, []
     for name, value, limit, is_edge, outward in zip(("lower", "upper"), found, printed, at_edge(plane, found_cells), (-1, 1)):
-        if is_edge:  # at least so far away, if the edge lies beyond the printed limit
+        if is_edge:  # a lower bound on the distance, if the edge lies beyond the printed limit
             beyond = outward * (value - limit)
             holds = False
             differences.append(f"{name} limit {'below' if outward < 0 else 'above'} {value:.2f} Hz, where the map ends"

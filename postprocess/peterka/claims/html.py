@@ -1,4 +1,4 @@
-"""The page in HTML, in one file: pictures are inside it."""
+"""Writes the page as a single HTML file with the pictures embedded."""
 
 import re
 from base64 import b64encode
@@ -20,7 +20,7 @@ figure img { width: 100%; } figcaption { font-size: 0.8rem; color: #555; }
 
 
 def html(blocks: Sequence[Block], picture_folder: str | Path) -> str:
-    """The text of the page; pictures are PNG files of this folder."""
+    """The text of the page; pictures are PNG files in this folder."""
     body = "\n".join(_block(block, Path(picture_folder)) for block in blocks)
     title = next(block.text for block in blocks if isinstance(block, Heading))
     return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
@@ -50,6 +50,6 @@ def _picture(folder, name):
 
 
 def _text(text):
-    """Markdown's ** and ` are all that texts use."""
+    """Converts the only Markdown that texts use, ** and `."""
     text = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", escape(text, quote=False))
     return re.sub(r"`(.+?)`", r"<code>\1</code>", text)

@@ -1,4 +1,4 @@
-"""Jumps and hysteresis, and how gap and stiffness move the impact resonance (sections 3.1-3.3, 5; Figs. 9-11, 14-16)."""
+"""Jumps and hysteresis, and the effect of gap and stiffness on the impact resonance (sections 3.1-3.3, 5; Figs. 9-11, 14-16)."""
 
 from itertools import pairwise, product
 from pathlib import Path
@@ -25,7 +25,7 @@ GAPS = (0, 1, 3)  # mm
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     for rig, name in FILES.items():
         if not (folder.path / f"{name}.h5").exists():
             return [not_computed(key, PLACE, says, f"{name}.h5") for key, says in SAYS.items()]
@@ -54,32 +54,32 @@ class Sweep:
                 raise file.refusal("has no branches with rising and with falling frequency at each gap")
 
     def branches(self, millimetres: float) -> dict[str, Branch]:
-        """{direction: Branch} of the gap nearest to this."""
+        """{direction: Branch} of the gap nearest to this value."""
         gaps = list(self._branches)
         near = min(range(len(gaps)), key=lambda n: abs(self.millimetres[n] - millimetres))
         return self._branches[gaps[near]]
 
     def resonance(self, millimetres: float, direction: str = "up") -> tuple[float, float] | None:
-        """(frequency [Hz], force [N]) of the largest force of z = 1/1; None without it."""
+        """(frequency [Hz], force [N]) of the largest force of z = 1/1; None without that orbit."""
         branch = self.branches(millimetres)[direction]
         at = branch.strongest_single()
         return None if at is None else (float(self.hertz[at]), float(branch.force[at] * self.newtons))
 
     def has_maximum(self, millimetres: float, direction: str) -> bool:
-        """Whether that force is a maximum inside its band, and not only where a jump or the sweep cuts it off."""
+        """Whether that force is a maximum inside its band, rather than cut off by a jump or by the end of the sweep."""
         branch = self.branches(millimetres)[direction]
         at = branch.strongest_single()
         return at is not None and branch.is_resonance(at)
 
     def doubling(self, millimetres: float) -> tuple[float, float] | None:
-        """(frequency [Hz], force [N]) at the end of the widest stretch of z = 1/1 with rising frequency; None without."""
+        """(frequency [Hz], force [N]) at the end of the widest stretch of z = 1/1 for rising frequency; None without one."""
         branch = self.branches(millimetres)["up"]
         span = widest((branch.regime == PERIODIC) & (branch.impacts == 1) & (branch.period == 1))
         return None if span is None else (float(self.hertz[span[1]]), float(branch.force[span[1]] * self.newtons))
 
     def end_of_band(self, millimetres: float, direction: str) -> tuple[float, float, float] | None:
         """(frequency [Hz], force below, force above [N]) of the jump that ends the band z = 1/1 towards high frequencies,
-        doubled periods counted in: the first beyond the impact resonance that loses force; None without one."""
+        doubled periods included: the first jump beyond the impact resonance at which the force drops; None without one."""
         branch, resonance = self.branches(millimetres)[direction], self.resonance(millimetres, direction)
         if resonance is None:
             return None
@@ -116,7 +116,7 @@ def _no_jump(sweep):
 
 
 def _ends(sweep, gap):
-    """{direction: end_of_band()}, and words on them."""
+    """{direction: end_of_band()}, and a description of them."""
     ends = {direction: sweep.end_of_band(gap, direction) for direction in DIRECTIONS}
     return ends, "; ".join(
         f"with {name} frequency "
@@ -125,7 +125,7 @@ def _ends(sweep, gap):
 
 
 def _jump_words(end, resonance, has_maximum):
-    """Each direction has a largest force of its own, which its jump lies beyond, or next to."""
+    """Whether each direction has its own largest force, with its jump beyond or next to it."""
     if resonance is None:
         return "no z = 1/1"
     name = "impact resonance" if has_maximum else "largest force of z = 1/1"

@@ -1,4 +1,4 @@
-"""The page in Markdown; pictures are files in a folder beside it."""
+"""Writes the page in Markdown; pictures are files in a folder beside it."""
 
 from collections.abc import Sequence
 from html import escape
@@ -7,7 +7,7 @@ from .page import Block, Fields, Heading, Paragraph, Pictures, Table
 
 
 def markdown(blocks: Sequence[Block], picture_folder: str) -> str:
-    """The text of the page; pictures are PNG files of this folder, as seen from the page."""
+    """The text of the page; pictures are PNG files in this folder, given relative to the page."""
     return "\n\n".join(_block(block, picture_folder) for block in blocks) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""The page as blocks, which markdown.py and html.py write out."""
+"""The page as blocks, written out by markdown.py and html.py."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -12,7 +12,7 @@ SHOWN_FACTORS = (0.5, 0.75, 1.0, 1.25, 1.5, 2.0)  # of the sensitivity table
 
 @dataclass(frozen=True)
 class Heading:
-    """Of this level, from 1."""
+    """A heading of this level, from 1."""
 
     level: int
     text: str
@@ -20,21 +20,21 @@ class Heading:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Text, in which ** and ` are Markdown's."""
+    """A paragraph; ** and ` have their Markdown meaning."""
 
     text: str
 
 
 @dataclass(frozen=True)
 class Fields:
-    """Lines with a name each."""
+    """Lines, each with a name."""
 
     lines: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
 class Table:
-    """Texts, in which ** and ` are Markdown's."""
+    """A list of texts; ** and ` have their Markdown meaning."""
 
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
@@ -42,7 +42,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Pictures:
-    """By the names of their files without .png."""
+    """Pictures, by file name without .png."""
 
     names: tuple[str, ...]
 
@@ -52,7 +52,7 @@ Block = Heading | Paragraph | Fields | Table | Pictures
 
 def blocks(groups: Sequence[tuple[str, Sequence[Claim]]], sensitivity_rows: Sequence[Row],
            has_picture: Callable[[str], bool]) -> list[Block]:
-    """Of groups of claims, rows of the sensitivity, and a function that tells whether a picture is there."""
+    """The page's blocks from groups of claims, rows of the sensitivity, and a predicate telling whether a picture exists."""
     claims = [claim for _, group in groups for claim in group]
     out: list[Block] = [Heading(1, "The paper's claims, tested"), Paragraph(_introduction(claims)), Fields(LIMITS),
                         Paragraph(SETTLED), _overview(claims)]

@@ -1,5 +1,5 @@
-"""Single impacts: the release test with the cart at rest, the flight after an impact, and the spectrum at its moment
-(sections 4, 4.2; Figs. 13, 20, 21)."""
+"""Single impacts: the release test with the cart at rest, the flight after an impact, and the spectrum at the moment of
+impact (sections 4, 4.2; Figs. 13, 20, 21)."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from .folder import Folder, read_job
 from .record import CLOSED_FORM, RANGE, SHARE, Claim, claim, near, not_computed, percent
 
 RELEASE, STRONGEST = "trace_170mm_release", "trace_170mm_9hz"
-STIFFNESS, DAMPING = 5.5e6, 1.2e3  # N/m, Ns/m; these and the frequencies as printed
+STIFFNESS, DAMPING = 5.5e6, 1.2e3  # N/m, Ns/m; all values on these two lines as printed
 LOW_HZ, AXIAL_HZ, ENVELOPE_HZ, PEAKS_HZ = 1000, 7000, 1000, (3000, 6000)
 SAYS = {
     "fig_13_parameters": ("section 4, Fig. 13, Table 2", "A release with the cart at rest identifies the stop: one impact's "
@@ -31,7 +31,7 @@ ONE_MODE = ("the model has one mode: bending modes of the beam springs and the a
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     files = [f"{name}.h5" for name in (RELEASE, STRONGEST)]
     missing = [name for name in files if not (folder.path / name).exists()]
     if missing:
@@ -41,7 +41,7 @@ def claims(folder: Folder) -> list[Claim]:
 
 
 class Strike:
-    """The hardest impact of a trace, alone; spectra of its force and of the flight after it over `frequency` [Hz]."""
+    """The hardest impact of a trace: spectra of its force and of the flight after it over `frequency` [Hz]."""
 
     def __init__(self, path: Path) -> None:
         with TraceFile(path) as file:
@@ -54,7 +54,7 @@ class Strike:
             self.mass, self.natural_hz = hammer["mass_kg"], hammer["natural_frequency_hz"]
             self.speed, self.contact_s = hardest["impact_speed"], hardest["contact_time"]
             self.restitution = hardest["impulse"] / (self.mass * self.speed) - 1
-            if not 0 < self.restitution < 2:  # far beyond what rounding could make of 1
+            if not 0 < self.restitution < 2:  # well outside what rounding could make of 1
                 raise file.refusal(f"has an impact with a restitution of {self.restitution:.3g}")
             self.peak_n = hardest["peak_force_ratio"] * file.newtons
             self.touch_n = hardest["touch_force_ratio"] * file.newtons
@@ -62,7 +62,7 @@ class Strike:
 
 
 def peaks(frequency: Reals, spectrum: Reals, least: float) -> list[float]:
-    """Frequencies of the maxima inside a spectrum that reach a share of its largest value."""
+    """Frequencies of the interior maxima of a spectrum that reach a given share of its largest value."""
     inner = spectrum[1:-1]
     found = (inner > spectrum[:-2]) & (inner >= spectrum[2:]) & (inner >= least * spectrum.max())
     return frequency[1:-1][found].tolist()
@@ -124,12 +124,12 @@ def _peaks(strike):
 
 
 def _is_envelope(hertz):
-    """Whether it lies in the 1 kHz range."""
+    """Whether a frequency lies in the 1 kHz range."""
     return near(hertz, ENVELOPE_HZ, RANGE)
 
 
 def _reach(found, none):
-    """Words on peaks, up to what they reach."""
+    """The subject and verb of a sentence on how far the found peaks reach."""
     listed = ", ".join(f"{hertz:.0f}" for hertz in found)
     if len(found) > 1:
         return f"peaks at {listed} Hz reach"

@@ -1,4 +1,4 @@
-"""A claim of the paper, how it fared, and the limits that verdicts go by."""
+"""A claim of the paper with its verdict, and the limits used for verdicts."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -36,8 +36,8 @@ AGREES, DIFFERS, OPEN = "agrees", "differs", "not computed"
 
 @dataclass(frozen=True)
 class Claim:
-    """`key` names it for ever; `place` is where the paper says it; `says` is in our words; `computed` and `difference`
-    hold numbers of the files; `why` is the likely cause; `pictures` are names without a suffix."""
+    """`key` identifies the claim permanently; `place` is its location in the paper; `says` restates it in our words; `computed` and
+    `difference` hold numbers from the files; `why` is the likely cause; `pictures` are names without a suffix."""
 
     key: str
     place: str
@@ -51,23 +51,23 @@ class Claim:
 
 def claim(key: str, place: str, says: str, computed: str, holds: bool, difference: str = "", why: str = "",
           pictures: Iterable[str] = ()) -> Claim:
-    """A Claim that agrees where it holds; what explains a difference is left out where there is none."""
+    """A Claim that agrees if it holds; explanations of a difference are omitted if there is none."""
     verdict = AGREES if holds else DIFFERS
     return Claim(key, place, says, computed, verdict, difference, "" if holds else why, tuple(pictures))
 
 
 def not_computed(key: str, place: str, says: str, missing: str) -> Claim:
-    """A Claim that waits for a file."""
+    """A Claim left open for lack of a file."""
     return Claim(key, place, says, f"{missing} is not in the folder: run jobs/paper.sh", OPEN)
 
 
 def off_by(value: float, printed: float, unit: str) -> str:
-    """How far a computed number is from the printed one."""
+    """The difference between a computed and a printed number, in words."""
     return f"{value - printed:+.3g} {unit} ({100 * (value / printed - 1):+.1f} %)"
 
 
 def near(value: float, other: float, share: float = SHARE) -> bool:
-    """Whether a force or a ratio agrees with another one."""
+    """Whether two forces or ratios agree to within this share."""
     return abs(value / other - 1) <= share
 
 

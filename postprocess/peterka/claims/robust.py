@@ -1,4 +1,4 @@
-"""Gap 0 against higher gaps: what makes it robust, and whether the others jump (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
+"""Gap 0 against larger gaps: what makes it robust, and whether the others jump (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
 
 from .folder import Folder, Plane
 from .gap_zero import at_edge, limits_hz, resonance
@@ -15,7 +15,7 @@ FILES = ("gaps_170mm", "basin_170mm_gap_0", "basin_170mm_gap_3")
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     found = {name: folder.plane(name) for name in FILES}
     planes = [plane for plane in found.values() if plane is not None]
     if len(planes) < len(FILES):
@@ -30,7 +30,7 @@ def claims(folder: Folder) -> list[Claim]:
 
 
 def drop_after(plane: Plane, row: int) -> float:
-    """Share of its force that is lost from the last column of the widest band z = 1/1 to the next one."""
+    """Share of the force lost from the last column of the widest band z = 1/1 to the next column."""
     band = widest(plane.is_orbit(1, 1)[row])
     assert band is not None
     last = band[1]
@@ -54,7 +54,7 @@ def _robust(gaps, basins, drops):
 
 
 def _higher(gaps, drops):
-    """A narrow band wants tuning, too, but only what is lost at its end is judged."""
+    """Judges only the loss at a band's end; a narrow band also requires tuning."""
     bands = [limits_hz(gaps, 1, 1, row=row) for row in range(len(gaps.rows))]
     widths = [f"{'at least ' if any(at_edge(gaps, band)) else ''}{band[1] - band[0]:.2f} Hz" for band in bands]
     listed = "; ".join(f"{_millimetres(gaps, row)}: {percent(drop)}, band {width} wide"

@@ -1,6 +1,6 @@
-"""Which parameter, moved how far, would remove what differs: ci, ki, A0 and zeta, one at a time.
+"""Which parameter would remove a difference from the paper, and by how much it must change: ci, ki, A0 and zeta, one at a time.
 
-Gaps stay what they are in mm while A0 moves, as shims set them. Each file's own job says what was moved.
+Gaps keep their values in mm when A0 changes, as they are set by shims. Each file's own job tells what was changed.
 """
 
 from dataclasses import dataclass
@@ -22,10 +22,10 @@ PARAMETERS = {
 
 @dataclass(frozen=True)
 class Row:
-    """How one number moves with one parameter. `values` at `factors` times the parameter, 1 among them.
+    """Dependence of one number on one parameter: `values` at `factors` times the parameter, 1 among them.
 
-    Of a basin, where the paper prints no number but has both outcomes: shares of the starts that end in impacts, and `quiet`
-    of those that end in none, in %; `has_both` tells where both are there."""
+    For a basin, where the paper prints no number but has both outcomes: `values` are the shares of starts that end in
+    impacts and `quiet` those of starts that end without, in %; `has_both` tells where both occur."""
 
     what: str
     unit: str
@@ -38,7 +38,7 @@ class Row:
 
     @property
     def answer(self) -> str:
-        """The factor, nearest to 1, at which the number is the paper's; in words."""
+        """The factor nearest to 1 at which the number equals the paper's, in words."""
         factor = self.needed
         if factor is not None:
             return f"{factor:.3g} times"
@@ -47,14 +47,14 @@ class Row:
 
     @property
     def needed(self) -> float | None:
-        """The factor itself; None where none does."""
+        """The factor itself; None if there is none."""
         if self.printed is None:
             return min(self.factors[self.has_both].tolist(), key=_distance, default=None)
         return _crossing(self.factors, self.values - self.printed)
 
 
 def rows(folder: Folder) -> list[Row]:
-    """All Rows, those of one number together; empty without the files."""
+    """All Rows, those of the same number adjacent; empty if the files are missing."""
     found = []
     gap_0 = folder.plane("gaps_170mm")
     if gap_0 is not None:
@@ -70,7 +70,7 @@ def rows(folder: Folder) -> list[Row]:
 
 
 def contact_damping_with_both(folder: Folder, prefix: str) -> str:
-    """Words on the contact damping that gives both outcomes at the place of a basin; '' where none was found."""
+    """Describes the contact damping that gives both outcomes at a basin's operating point; '' if none was found."""
     base = folder.plane(f"basin_{prefix.split('/')[1].rstrip('_')}")
     if base is None:
         return ""
@@ -84,14 +84,14 @@ def contact_damping_with_both(folder: Folder, prefix: str) -> str:
 
 
 def outcomes(plane: Plane) -> str:
-    """Words on how many starts of a basin end in what."""
+    """Describes the shares of a basin's starts by outcome."""
     left = plane.share(~(plane.quiet | plane.strikes))
     return (f"{percent(plane.share(plane.strikes))} of the starts end in impacts, {percent(plane.share(plane.quiet))} in none"
             + (f", {percent(left)} in lasting contact or undecided" if left > 0 else ""))
 
 
 def _limit(number, z, inside, end):
-    """Limit 0 or 1 of a band; NaN without the band, or where it goes on beyond the map."""
+    """Limit 0 (lower) or 1 (upper) of a band; NaN without the band, or if it extends beyond the map."""
     def value(plane):
         found = limits_hz(plane, *z, inside)
         return np.nan if found is None or at_edge(plane, found)[end] else found[end]
@@ -138,13 +138,13 @@ def _factor(plane, base, name):
 
 
 def _moved(plane, base):
-    """The one parameter that differs; None where none or several do."""
+    """The single parameter that differs; None if none or several do."""
     moved = [name for name in PARAMETERS if _factor(plane, base, name) != 1]
     return moved[0] if len(moved) == 1 else None
 
 
 def _crossing(factors, off):
-    """The factor nearest to 1 at which `off` passes 0, between two neighbours that have numbers."""
+    """The factor nearest to 1 at which `off` crosses 0, between two neighbours that both have numbers."""
     found = []
     for n in range(len(factors) - 1):
         a, b = off[n], off[n + 1]

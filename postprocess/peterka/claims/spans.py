@@ -1,4 +1,4 @@
-"""Neighbouring points of an axis that have something in common, and what lies between the bands of a map."""
+"""Runs of neighbouring axis points with a common property, and the regions between the bands of a map."""
 
 import numpy as np
 
@@ -8,13 +8,13 @@ from .record import WIDE
 
 
 def spans(mask: Mask) -> list[tuple[int, int]]:
-    """(first, last) of each run of True, both included."""
+    """(first, last) of each run of True, inclusive."""
     steps = np.diff(np.concatenate([[0], np.asarray(mask, dtype=int), [0]]))
     return list(zip(np.flatnonzero(steps == 1).tolist(), (np.flatnonzero(steps == -1) - 1).tolist()))
 
 
 def span_around(mask: Mask, index: int) -> tuple[int, int] | None:
-    """The run that holds this index; None where it isn't True."""
+    """The run containing this index; None if the mask is False there."""
     return next((span for span in spans(mask) if span[0] <= index <= span[1]), None)
 
 
@@ -25,8 +25,8 @@ def widest(mask: Mask) -> tuple[int, int] | None:
 
 
 def around_bands(plane: Plane) -> tuple[Mask, Mask, Mask]:
-    """Three masks of a map, (rows, columns): up to the end of the widest band z = 1/1, between it and z = 1/2, and from the
-    beginning of z = 1/2 on. A gap without a band has the limit of the next lower gap."""
+    """Three masks of a map, (rows, columns): up to the end of the widest band z = 1/1; between it and z = 1/2; from the
+    beginning of z = 1/2 on. A gap without a band takes the limit of the next lower gap."""
     ends: list[int] = []
     starts: list[int] = []
     for row in range(len(plane.rows)):

@@ -1,4 +1,4 @@
-"""What depends on the start: between the bands at higher gaps (section 4.2, Fig. 22), and the paper's two basins (Fig. 24).
+"""Dependence on the start: between the bands at larger gaps (section 4.2, Fig. 22), and in the paper's two basins (Fig. 24).
 """
 
 from collections.abc import Callable, Sequence
@@ -19,16 +19,16 @@ SAYS = {
     "fig_24a": "150 mm, Ω/ω = 1.80, gap/A0 = 1.74: some starts end in impacts, others in no impact.",
     "fig_24b": "135 mm, Ω/ω = 2.15, gap/A0 = 1.60: some starts end in impacts, others in no impact.",
 }
-MANY = 300  # forcing cycles: a run that many would call long enough
+MANY = 300  # forcing cycles: a run of this length is commonly considered long enough
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     return [_region(folder), _first_basin(folder), _second_basin(folder)]
 
 
 def depends_on_start(planes: Sequence[Plane]) -> Mask:
-    """Cells whose settled label (orbit, no impact, lasting contact) isn't the same from all starts, (rows, columns)."""
+    """Cells whose settled label (orbit, no impact, lasting contact) differs between starts, (rows, columns)."""
     require_alike(planes)
     settled = np.array([plane.is_settled for plane in planes])
     codes = np.array([plane.label_code for plane in planes])
@@ -59,14 +59,14 @@ def _region(folder):
 
 
 def first_of_the_rest(shares: Reals | Sequence[float], limit: float) -> int | None:
-    """The row from which on all shares reach a limit; None where the last one doesn't."""
+    """The first row from which all shares reach a limit; None if the last row does not."""
     few = np.flatnonzero(np.asarray(shares) < limit)
     first = int(few[-1]) + 1 if len(few) else 0
     return first if first < len(shares) else None
 
 
 def _other_limits(shares, gaps):
-    """The gap at which the area would begin if less or more of the cells were asked for."""
+    """The gap at which the region would begin for half or twice the required share of cells."""
     rows = {limit: first_of_the_rest(shares, limit) for limit in (SOME / 2, 2 * SOME)}
     return ", ".join(f"{percent(limit)} or more from " + ("no gap" if row is None else f"{gaps[row]:.3g} A0") + " up"
                      for limit, row in rows.items())
@@ -112,7 +112,7 @@ def _second_basin(folder):
 
 
 def nearest(planes: Sequence[Plane], gap_ratio: float, suits: Callable[[Plane], bool]) -> Plane | None:
-    """The basin that suits whose gap is nearest; None without any."""
+    """The suitable basin with the nearest gap; None without one."""
     suitable = [plane for plane in planes if suits(plane)]
     return min(suitable, key=lambda plane: abs(plane.gap_ratio - gap_ratio)) if suitable else None
 

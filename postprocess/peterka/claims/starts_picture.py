@@ -1,4 +1,4 @@
-"""Where the start decides the regime: the plane of several maps that differ in their start alone."""
+"""Where the start determines the regime: a picture from several maps that differ only in their start."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ COLOURS = ["#F2F2F2", "#0072B2", "#1A1A1A"]
 
 @style.using()
 def draw(file: PeterkaFile, planes: Sequence[Plane]) -> Figure:
-    """As a Figure; `file` is one of the maps, open."""
+    """The picture as a Figure; `file` is one of the maps, open."""
     kinds = np.where(depends_on_start(planes), 1, 0)
     kinds[~np.any([plane.is_settled for plane in planes], axis=0)] = 2
     rows = iter(kinds)

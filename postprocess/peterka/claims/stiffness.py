@@ -1,4 +1,4 @@
-"""Maps of the three beam springs against each other (section 4.2, Fig. 22; section 5)."""
+"""Comparison of the maps of the three beam springs (section 4.2, Fig. 22; section 5)."""
 
 from itertools import combinations
 
@@ -20,7 +20,7 @@ SAYS = {
 
 
 def claims(folder: Folder) -> list[Claim]:
-    """Those of this group."""
+    """The claims of this group."""
     there = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
     planes = {rig: plane for rig, plane in there.items() if plane is not None}
     missing = [f"peterka_{rig}.h5" for rig in RIGS if rig not in planes]
@@ -50,7 +50,7 @@ def _same(pairs, found, pictures):
 
 
 def _where(pairs, planes, pictures):
-    """Of the cells that differ, how many lie between both bands."""
+    """The share of the differing cells that lie between the two bands."""
     places = []
     for a, b in pairs:
         differs = planes[a].label_code != planes[b].label_code
@@ -70,7 +70,7 @@ def _range(shares):
 
 
 def _force(pairs, found, planes):
-    """In N, as F/(m g) is for one hammer."""
+    """Forces in N, because F/(m g) refers to a particular hammer."""
     texts = []
     for (a, b), one in zip(pairs, found):
         frequencies = planes[b].natural_frequency_hz / planes[a].natural_frequency_hz

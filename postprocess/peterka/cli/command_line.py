@@ -1,4 +1,4 @@
-"""What the programs share: exit codes, arguments, what they print, and pictures put into a folder."""
+"""Shared by the programs: exit codes, arguments, output, and writing pictures into a folder."""
 
 import argparse
 import errno
@@ -22,7 +22,7 @@ PROGRAM = re.compile(r"\b(claims|compare|draw|explore|export|identify|operating_
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """Shows `description` as it is written; tells what is wrong in one line."""
+    """Shows `description` verbatim; reports errors in one line."""
 
     def __init__(self, description: str | None) -> None:
         super().__init__(description=_as_installed(description), formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -32,7 +32,7 @@ class OneLineParser(argparse.ArgumentParser):
         self.exit(BAD_INPUT, f"{self.prog}: {harmless(message, LONGEST_COMPLAINT)}; --help shows the arguments\n")
 
     def print_help(self, file: IO[str] | None = None) -> None:
-        """As tell() prints."""
+        """Prints as tell() does."""
         tell(self.format_help().rstrip("\n"))
 
     def exit(self, status: int = DONE, message: str | None = None) -> NoReturn:
@@ -40,7 +40,7 @@ class OneLineParser(argparse.ArgumentParser):
         super().exit(exit_code(status), message)
 
     def add_picture_arguments(self) -> None:
-        """--output-dir and --formats."""
+        """Adds --output-dir and --formats."""
         self.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
         self.add_argument("--formats", "--format", default=DEFAULT_FORMATS, type=read_formats, help=f"some of {', '.join(FORMATS)}; default: {DEFAULT_FORMATS}")
 
@@ -53,7 +53,7 @@ def _as_installed(text):
 
 
 def read_formats(text: str) -> list[str]:
-    """The list of formats of pictures that an argument names."""
+    """The list of picture formats that an argument names."""
     formats = text.split(",")
     if not set(formats) <= set(FORMATS):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of {' and '.join(FORMATS)}")
@@ -61,12 +61,12 @@ def read_formats(text: str) -> list[str]:
 
 
 class _Output:
-    lost = False  # something could not be printed
+    lost = False  # whether any output could not be printed
 
 
 def tell(line: object) -> None:
-    """Prints a line; who reads the list only in part (draw.py ... | head) gets all pictures nevertheless. What can't be
-    printed for another reason is complained of, and all pictures are made, too; exit_code() tells of it."""
+    """Prints a line. A reader that stops early (draw.py ... | head) still gets all pictures. Any other failure to print is
+    reported, all pictures are still made, and exit_code() reflects it."""
     try:
         if sys.stdout is None:
             raise OSError(errno.EBADF, os.strerror(errno.EBADF))
@@ -86,25 +86,25 @@ def _drop_stdout():
 
 
 def exit_code(outcome: int) -> int:
-    """Of the program, whose work came to this."""
+    """The program's exit code for this outcome."""
     return BAD_OUTPUT if _Output.lost and outcome == DONE else outcome
 
 
 def complain(message: object) -> None:
-    """One line to stderr, after the program's name."""
+    """One line to stderr, prefixed with the program's name."""
     try:
         print(f"{Path(sys.argv[0]).name}: {harmless(' '.join(str(message).split()), LONGEST_COMPLAINT)}", file=sys.stderr)
     except OSError:
-        pass  # nobody reads it; the exit code says it, too
+        pass  # stderr is closed; the exit code still reports it
 
 
 def complain_of_folder(folder: Path, error: OSError) -> None:
-    """One line on a folder that can't be written."""
+    """Reports a folder that cannot be written, in one line."""
     complain(f"cannot write into {folder}: {error.strerror or error}")
 
 
 def save_all(figure: Figure, folder: Path, name: str, formats: Iterable[str]) -> None:
-    """Writes the picture in each format into a folder, made where it is missing, and tells where."""
+    """Writes the picture in each format into a folder, creating it if missing, and prints the paths."""
     folder.mkdir(parents=True, exist_ok=True)
     for suffix in formats:
         picture = folder / f"{name}.{suffix}"

@@ -1,7 +1,7 @@
-"""Imported first by every program here: goes on with an interpreter that has the packages.
+"""Imported first by every program here: continues in an interpreter that has the packages.
 
-python3 on the PATH may be pyenv's or conda's, without them, while the system's has the distribution's. Where neither has,
-one line says so.
+python3 on the PATH may belong to pyenv or conda and lack the packages, while the system's python3 has the distribution's. If
+neither has them, one line reports it.
 """
 
 import importlib
@@ -17,7 +17,7 @@ BAD_INTERPRETER = 2
 
 
 def use_one_with_packages() -> None:
-    """Returns in an interpreter that has all packages; in another one this process starts anew, or ends."""
+    """Returns if this interpreter has all packages; otherwise restarts the process in one that has them, or exits."""
     lacking = what_is_lacking()
     if not lacking:
         return
@@ -30,7 +30,7 @@ def use_one_with_packages() -> None:
 
 
 def what_is_lacking() -> str:
-    """In this interpreter, in words; empty where nothing is."""
+    """What this interpreter lacks, in words; empty if nothing."""
     if sys.version_info < OLDEST:
         return f"Python {'.'.join(map(str, OLDEST))}"
     return " and ".join(name for name in PACKAGES if not can_import(name))
@@ -46,7 +46,7 @@ def can_import(name: str) -> bool:
 
 
 def has_packages(python: str) -> bool:
-    """Whether another interpreter has what this one lacks, under the same environment."""
+    """Whether another interpreter has what this one lacks, in the same environment."""
     question = f"import sys, {', '.join(PACKAGES)}; sys.exit(sys.version_info < {OLDEST})"
     try:
         return subprocess.run([python, "-c", question], capture_output=True, check=False).returncode == 0

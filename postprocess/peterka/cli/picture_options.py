@@ -1,4 +1,4 @@
-"""What a journal asks of pictures, as arguments of a program, and the part of a file that --zoom leaves."""
+"""Picture options required by journals, as program arguments, and the part of a file selected by --zoom."""
 
 import argparse
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from ..pictures import open_file
 
 WIDTHS = (40, 500)  # mm
 DPIS = (50, 2400)
-ROUNDING = 1e-6  # of a step of an axis: 1.9 in ratios and 8.55 Hz have other last bits
+ROUNDING = 1e-6  # of a step of an axis: 1.9 as a ratio and 8.55 Hz differ in their last bits
 
 
 def add_style_arguments(parser: argparse.ArgumentParser) -> None:
@@ -34,13 +34,13 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def style_of(arguments: argparse.Namespace) -> dict[str, object]:
-    """The fields of a Style that are asked for."""
+    """The fields of a Style that are set by the arguments."""
     names = ("width", "dpi", "font", "title", "limits", "log", "palette", "units")
     return {name: getattr(arguments, name) for name in names}
 
 
 def check_style(parser: argparse.ArgumentParser, arguments: argparse.Namespace) -> None:
-    """What each argument alone doesn't show."""
+    """Checks constraints that involve more than one argument."""
     if arguments.font:
         from matplotlib.font_manager import get_font_names
         if arguments.font not in get_font_names():
@@ -65,7 +65,7 @@ def number_within(low: float, high: float) -> Callable[[str], float]:
 
 
 def numbers_of(*counts: int) -> Callable[[str], tuple[float, ...]]:
-    """Reads an argument of so many numbers with commas between them."""
+    """Reads an argument of this many numbers separated by commas."""
     def read(text):
         try:
             found = tuple(float(part) for part in text.split(","))
@@ -78,8 +78,8 @@ def numbers_of(*counts: int) -> Callable[[str], tuple[float, ...]]:
 
 
 def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> OpenedFile:
-    """The part of a map, basin or sweep between (x0, x1, y0, y1), or between x0 and x1; the file itself without a zoom. Cells of a
-    plane that lie over an end are shown in part, so that a picture ends where it was asked to."""
+    """The part of a map, basin or sweep within (x0, x1, y0, y1), or between x0 and x1; the whole file without a zoom.
+    Boundary cells of a plane are cut so that the picture ends exactly at the requested limits."""
     if not zoom:
         return file
     axes = _axes(file)
@@ -105,7 +105,7 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
 
 
 def _shown(file, axis, low, high):
-    """The slice of the points of an axis whose cells, or which themselves in a sweep, lie from `low` to `high`."""
+    """The slice of an axis' points whose cells (in a sweep: the points themselves) lie between `low` and `high`."""
     if not isinstance(file, PeterkaFile):
         return _inside(file.values, low, high)
     rounding = ROUNDING * np.diff(axis.edges)
@@ -114,7 +114,7 @@ def _shown(file, axis, low, high):
 
 
 def _cut(axis, ends):
-    """An axis whose outer cells end there."""
+    """The axis with its outer cells cut at these ends."""
     if ends is None:
         return axis
     edges = axis.edges.copy()
@@ -123,14 +123,14 @@ def _cut(axis, ends):
 
 
 def _inside(values, low, high):
-    """The slice of rising numbers from `low` to `high`, those included that are at an end but for rounding."""
+    """The slice of ascending numbers from `low` to `high`, endpoints included up to rounding."""
     rounding = ROUNDING * (np.gradient(values) if len(values) > 1 else 0.0)
     first = np.count_nonzero(values < low - rounding)
     return slice(first, max(first, np.count_nonzero(values <= high + rounding)))
 
 
 def _axes(file):
-    """Those across and up: each with its name, and its name and unit in the file."""
+    """The horizontal and the vertical axis, each with its name, and its name and unit in the file."""
     if file.kind in ("map", "basin"):
         return file.columns, file.rows
     if file.kind == "sweep":

@@ -1,5 +1,5 @@
-"""Maps and basins for other programs, with force in N and axes in Hz, mm and m/s where the file tells the rig.
+"""Exports maps and basins to other programs, with force in N and axes in Hz, mm and m/s if the file gives the rig.
 
-`cells`    the fields of a file's cells, named and in these units
+`cells`    the fields of a file's cells, with names and units
 `formats`  a table of cells as CSV, a rectilinear grid for ParaView (legacy VTK), a MATLAB file
 """

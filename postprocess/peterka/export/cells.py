@@ -1,4 +1,4 @@
-"""The fields of a map's or a basin's cells, named and in the units in which people measure."""
+"""The cell fields of a map or basin, with names and customary units."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -15,24 +15,24 @@ from ..maps.map_file import PeterkaFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
-PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # as all of the layout's: nothing that a table or a program would take for more
+PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # like all names of the layout: safe in tables and other programs
 SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm"}
 MILLI = {"max_displacement": 1e3}
 
 
 @dataclass(frozen=True)
 class Field:
-    """A dataset on [rows][columns] under the name `name` in other programs: what is stored times `factor`."""
+    """A dataset on [rows][columns], exported under `name` as the stored value times `factor`."""
 
     dataset: str
     name: str
     factor: float
-    whole: bool  # numbers are integers
+    whole: bool  # integer-valued
 
 
 @dataclass(frozen=True)
 class Side:
-    """An axis: its name and values (n,) in units where the file tells them, and the ratios of the file."""
+    """An axis: its name and values (n,), in units if the file gives them, and the file's ratios."""
 
     name: str
     values: np.ndarray
@@ -41,8 +41,8 @@ class Side:
 
 
 def fields_of(file: PeterkaFile) -> list[Field]:
-    """The Fields of a map or basin, the label first. What a stranger has added is left out where its name is none of the
-    layout's kind, or that of another field or axis."""
+    """The Fields of a map or basin, the label first. Datasets added by other programs are skipped if their name does not
+    match the layout's pattern or clashes with another field or axis."""
     first = ["regime", "impacts", "period", "peak_force_ratio"]
     edges = {f"edge_distance_{side}": (word, factor) for side, word, factor in (
         ("frequency_ratio", "edge_distance_frequency_hz", file.positive("natural_frequency_hz")),
@@ -52,7 +52,7 @@ def fields_of(file: PeterkaFile) -> list[Field]:
     for name in [*first, *(name for name in file.data.names() if name not in first and PLAIN_NAME.fullmatch(name))]:
         try:
             kind = file.data.dataset(name, file.shape, INTEGER + REAL).dtype.kind
-        except PeterkaFileError:  # a group, an axis, or a table of something else
+        except PeterkaFileError:  # a group, an axis, or a table of a different kind
             continue
         if name.startswith("peak_force") and name.endswith("_ratio") and file.newtons:
             found.append(Field(name, f"{name.removesuffix('_ratio')}_n", file.newtons, False))
@@ -67,7 +67,7 @@ def fields_of(file: PeterkaFile) -> list[Field]:
 
 
 def sides_of(file: PeterkaFile) -> tuple[Side, Side]:
-    """(rows, columns) as Sides."""
+    """The axes (rows, columns) as Sides."""
     units = {"frequency_ratio": ("frequency_hz", 1.0), "gap_ratio": ("gap_mm", 1e3), "displacement_ratio": ("displacement_mm", 1e3),
              "velocity_ratio": ("velocity_m_s", 1.0)}
     found = []
@@ -83,7 +83,7 @@ def sides_of(file: PeterkaFile) -> tuple[Side, Side]:
 
 
 def bands(file: PeterkaFile, fields: Sequence[Field]) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
-    """(first row, {name: values (rows, columns)}) over all cells; -1 in whole numbers, NaN in others, is none."""
+    """(first row, {name: values (rows, columns)}) over all cells; -1 in integer fields and NaN in others mean no value."""
     names = list(dict.fromkeys(["regime", *(field.dataset for field in fields)]))
     for first, band in file.bands(names):
         yield first, {field.name: band[field.dataset] if field.whole else band[field.dataset] * field.factor
@@ -91,5 +91,5 @@ def bands(file: PeterkaFile, fields: Sequence[Field]) -> Iterator[tuple[int, dic
 
 
 def regime_word(number: int) -> str:
-    """The word in CSV for a number of `regime`."""
+    """The word written to CSV for a number of `regime`."""
     return REGIMES[number] if 0 <= number < len(REGIMES) else NOT_COMPUTED

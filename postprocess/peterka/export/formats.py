@@ -16,7 +16,7 @@ LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 
 
 def write_csv(file: PeterkaFile, path: Path) -> None:
-    """A line for each cell, row by row; where an axis is in units, its ratio follows. Numbers read back to the last bit."""
+    """One line per cell, row by row; an axis in units is followed by its ratio. Numbers round-trip exactly."""
     fields, (rows, columns) = fields_of(file), sides_of(file)
     sides = [(columns, 1), (rows, 0)]
     heads = [name for side, _ in sides for name in dict.fromkeys([side.name, side.ratio_name])]
@@ -33,7 +33,7 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
 
 
 def write_vtk(file: PeterkaFile, path: Path) -> None:
-    """Points are the cells' centres, in the axes' units; each field is an array of their data."""
+    """Points are the cell centres, in the axes' units; each field is a data array."""
     fields, (rows, columns) = fields_of(file), sides_of(file)
     with written_whole(path, "wb") as out:
         title = file.title.encode("ascii", "replace").decode()[:200]
@@ -59,7 +59,7 @@ def write_matlab(file: PeterkaFile, path: Path) -> None:
     variables = {field.name: np.concatenate([piece[field.name] for piece in pieces]) for field in fields}
     for side in sides:
         variables |= {side.name: side.values, side.ratio_name: side.ratios}
-    from scipy.io import savemat  # it takes long to load, and few ask for it
+    from scipy.io import savemat  # slow to load and rarely requested
 
     with written_whole(path, "wb") as out:
         savemat(out, variables | {"title": file.title}, oned_as="row", long_field_names=True)
@@ -77,8 +77,7 @@ def read_formats(text: str) -> list[str]:
 
 
 def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[Path]:
-    """Writes an open map, basin or coarse map of curves in each format into a folder, made where it is missing; the paths
-    written, one by one."""
+    """Writes an open map, basin or coarse map of curves in each format into a folder, creating it if missing; yields the paths written."""
     if not isinstance(file, PeterkaFile):
         raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves are exported, others are read by xarray")
     folder.mkdir(parents=True, exist_ok=True)
@@ -89,7 +88,7 @@ def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[P
 
 
 def _once(side):
-    """Values and ratios; the latter alone where the file doesn't tell the units."""
+    """Values and ratios; ratios alone if the file does not give the units."""
     return [side.values] if side.name == side.ratio_name else [side.values, side.ratios]
 
 

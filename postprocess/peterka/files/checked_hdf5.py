@@ -1,8 +1,9 @@
-"""Reads single things out of an HDF5 file that may come from anybody.
+"""Reads single items of an untrusted HDF5 file.
 
-Sizes and types are checked before anything is read, and links and data that lie in other files are refused
-(own_objects.py), so that a file can neither ask for any amount of memory nor make this program read what is not its own.
-Before HDF5 opens it, its raw bytes are compared with their checksum (raw_bytes.py); verify() compares the whole of it with its checksums. Every refusal is a PeterkaFileError whose message is one sentence with the file's name.
+Sizes and types are checked before anything is read, and links and data in other files are refused (own_objects.py), so a
+file can neither request arbitrary memory nor make this program read other files. Before HDF5 opens it, its raw bytes are
+compared with their checksum (raw_bytes.py); verify() compares the whole file with its checksums. Every refusal is a
+PeterkaFileError whose message is one sentence with the file's name.
 """
 
 import os
@@ -10,7 +11,7 @@ import re
 from pathlib import Path
 from typing import Any, BinaryIO, Protocol, TypeGuard
 
-# A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
+# A run may still be writing the file; readers must neither be blocked by a lock nor block the run.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 import h5py
@@ -24,15 +25,15 @@ from .harmless import harmless
 MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
 NUMBERS = "iuf"
 OF_SCALES = ("CLASS", "NAME", "_Netcdf4Dimid")  # attributes of HDF5's dimension scales
-INTEGER, REAL = "i", "f"  # kinds of numpy types; the program writes no unsigned ones that are shown
-LARGEST = 1e100  # of any number that is shown: sums and products of larger ones leave the range of numbers
+INTEGER, REAL = "i", "f"  # kinds of numpy types; no unsigned dataset of the program is ever shown
+LARGEST = 1e100  # bound on any number shown: sums and products of larger ones overflow
 MAX_TEXT = 20000
 _WORD = re.compile(r"[A-Za-z0-9_.+-]{1,60}")
-_ERRORS = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # what h5py raises on damaged files
+_ERRORS = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # raised by h5py for damaged files
 
 
 class Content(Protocol):
-    """What the readers read: a file, or a dataset in its place. The members are told of at CheckedFile."""
+    """The source the readers use: a file, or a dataset in its place. Members are documented at CheckedFile."""
 
     path: Path
     may_be_part: bool
@@ -55,9 +56,9 @@ class Content(Protocol):
 
 
 class CheckedFile:
-    """An open HDF5 file, all of whose objects are its own; close() it."""
+    """An open HDF5 file without external objects; call close() after use."""
 
-    may_be_part = False  # of a file
+    may_be_part = False  # whether it may be a part of a file
     _raw: BinaryIO | None = None
 
     def __init__(self, path: str | os.PathLike) -> None:
@@ -72,7 +73,7 @@ class CheckedFile:
             raise
 
     def close(self) -> None:
-        """It can't be read any more."""
+        """Closes the file; no further reads."""
         self._file.close()
         if self._raw:
             self._raw.close()
@@ -89,12 +90,11 @@ class CheckedFile:
             raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
     def refusal(self, reason: str) -> PeterkaFileError:
-        """The exception to raise: 'FILE reason'."""
+        """The exception to raise, with the message 'FILE reason'."""
         return PeterkaFileError(f"{self.path} {reason}")
 
     def attribute(self, name: str, of: str = "/") -> str | int | float | None:
-        """A scalar attribute of the root, or of a dataset that was checked before, as str, int or float; None where it
-        is absent or anything else."""
+        """A scalar attribute of the root, or of a dataset already checked, as str, int or float; None if absent or of any other type."""
         try:
             with own_objects.bounded_memory(self._size):
                 value = self._file[of].attrs.get(name)
@@ -104,17 +104,17 @@ class CheckedFile:
             value = value.reshape(())[()]
         if isinstance(value, bytes):
             value = value.decode("utf-8", "replace")
-        if isinstance(value, str):  # h5py keeps what is no UTF-8 as halves of letters, which can't be written
+        if isinstance(value, str):  # h5py turns invalid UTF-8 into surrogates, which cannot be written
             value = value.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
 
     def numbers(self) -> dict[str, h5py.Dataset]:
-        """Names of all datasets of numbers, with the groups' before them: {name: dataset}."""
+        """All numeric datasets, with their groups' names as prefix: {name: dataset}."""
         names = [path.lstrip("/") for path, storage in self._storages.items() if storage is not None]
         return {name: self.dataset(name, None, NUMBERS) for name in names if self._own(name).dtype.kind in NUMBERS}
 
     def attributes(self, of: str = "/") -> dict[str, Any]:
-        """{name: value} of the root's or a dataset's plain attributes, texts and numbers, and lists of numbers."""
+        """{name: value} of the plain attributes of the root or a dataset: texts, numbers, and lists of numbers."""
         try:
             with own_objects.bounded_memory(self._size):
                 found = dict(self._file[of].attrs)
@@ -126,21 +126,22 @@ class CheckedFile:
         return lists | {name: value for name, value in plain.items() if value is not None and name not in OF_SCALES}
 
     def names(self) -> list[str]:
-        """Of all that lies at the root."""
+        """Names of all objects at the root."""
         try:
             return sorted(self._file)
         except _ERRORS:
             return []
 
     def has(self, name: str) -> bool:
-        """Whether there is anything of this name; dataset() then says whether it may be read."""
+        """Whether an object of this name exists; dataset() then checks whether it may be read."""
         try:
             return name in self._file
         except _ERRORS:
             return False
 
     def dataset(self, name: str, shape: tuple[int, ...] | None, kinds: str) -> h5py.Dataset:
-        """The dataset `name`, of this shape (None: any) and of one of these kinds of numbers, stored in this file."""
+        """The dataset `name`, of this shape (None: any) and of one of these
+        kinds of numbers, stored in this file. Raises PeterkaFileError otherwise."""
         try:
             dataset = self._own(name)
             if dataset.dtype.kind not in kinds:
@@ -154,7 +155,7 @@ class CheckedFile:
             raise self.refusal(f"is damaged: {name} cannot be opened ({_first_line(error)})") from error
 
     def values(self, name: str, rows: Any) -> Any:
-        """These rows (a slice, or () for a scalar) of a dataset that was checked before."""
+        """These rows (a slice, or () for a scalar) of a dataset already checked."""
         try:
             values = self._file[name][rows]
         except (*_ERRORS, MemoryError) as error:
@@ -163,7 +164,7 @@ class CheckedFile:
         return values
 
     def words(self, name: str) -> dict[int, str]:
-        """{number: word} of a dataset of flags that was checked before, from its flag_values and flag_meanings."""
+        """{number: word} of a dataset of flags already checked, from its flag_values and flag_meanings."""
         try:
             with own_objects.bounded_memory(self._size):
                 numbers = np.ravel(self._file[name].attrs.get("flag_values", ()))
@@ -172,7 +173,7 @@ class CheckedFile:
         return meanings(self, name, numbers)
 
     def text(self, name: str) -> list[str]:
-        """A scalar text as its printable lines; none where there is no such text."""
+        """The printable lines of a scalar text; empty if there is no such text."""
         try:
             dataset = self._own(name)
             value = dataset[()] if dataset.shape == () and dataset.dtype.kind == "S" else b""
@@ -212,13 +213,13 @@ class CheckedFile:
 
 
 def check_range(data: Content, name: str, values: Any) -> None:
-    """Refuses numbers out of `data` that are none of this program."""
+    """Refuses numbers from `data` outside the range that this program writes."""
     if values.dtype.kind in REAL and np.any(np.isfinite(values) & (np.abs(values) > LARGEST)):
         raise data.refusal(f"has a {name} beyond {LARGEST:g}, which is no number of this program")
 
 
 def meanings(data: Content, name: str, numbers: Integers) -> dict[int, str]:
-    """{number: word} of a dataset of flags out of `data`, of its flag_values and flag_meanings."""
+    """{number: word} of a dataset of flags in `data`, from its flag_values and flag_meanings."""
     text = data.attribute("flag_meanings", name)
     words = text.split() if isinstance(text, str) else []
     if not words or len(words) != len(numbers) or numbers.dtype.kind not in INTEGER:
@@ -230,13 +231,13 @@ def meanings(data: Content, name: str, numbers: Integers) -> dict[int, str]:
 
 
 def is_number(value: object) -> TypeGuard[int | float]:
-    """Whether it is one number, numpy's or Python's; True and False are none."""
+    """Whether a value is a single number of numpy or Python; booleans are not numbers here."""
     return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
 
 
 def shown(value: object) -> str:
-    """A value out of the file, short and in one line, for a message."""
-    plain = value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value  # numpy 2 would name its type
+    """A value from the file, shortened to one line for a message."""
+    plain = value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value  # numpy 2 would print the type name
     return re.sub(r"\s+", " ", repr(plain))[:60]
 
 

@@ -1,10 +1,9 @@
-"""The coordinates of a file, in both of their units: the one place that knows which names belong together, and what a ratio is in
-SI units.
+"""The coordinates of a file in both of their units: the single place that pairs their names and converts ratios to SI units.
 
-A job may give frequency, gap and start as ratios or in Hz, m and m/s, and a file names its axes, and what lies on curves, as its job
-does. Everything that is drawn or told speaks of ratios, with SI units beside them or in their place: `coordinate` brings the
-stored numbers there, wherever all cells of the file share what that takes. Where they don't, for an axis changes the rig, a
-coordinate stays what it is.
+A job may give frequency, gap and start as ratios or in Hz, m and m/s; the file names its axes and the coordinates of curves
+accordingly. Pictures and reports always use ratios, with SI units beside them or in their place: `coordinate` converts the
+stored numbers to ratios if the required scales are common to all cells of the file. If they are not, because an axis changes
+the rig, the coordinate stays as stored.
 """
 
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
-# Of each ratio: its name in SI units, and from the root attributes of a file what a ratio of 1 is there.
+# For each ratio: its name in SI units, and the value of ratio 1 there, from the root attributes of a file.
 TWINS = {
     "frequency_ratio": "frequency_hz",
     "gap_ratio": "gap_m",
@@ -26,14 +25,14 @@ NAMES = TWINS.keys() | RATIOS.keys()
 
 
 class Scales(Protocol):
-    """A file that knows natural_frequency_hz and cart_amplitude_m where all of its cells share them; else None."""
+    """A file with natural_frequency_hz and cart_amplitude_m if common to all of its cells; else None."""
 
     def positive(self, name: str) -> float | None: ...
 
 
 @dataclass(frozen=True)
 class Coordinate:
-    """`name` of what is shown, `stored` in the file, and the `unit`: a number that is shown, times it, is the stored one."""
+    """`name` as shown, `stored` as in the file, and `unit`: shown value times `unit` = stored value."""
 
     name: str
     stored: str
@@ -41,7 +40,7 @@ class Coordinate:
 
 
 def unit_of(file: Scales, name: str) -> float | None:
-    """What a ratio of 1 is in SI units [Hz, m or m/s], of a coordinate by either of its names; None where the file doesn't tell."""
+    """The value of ratio 1 in SI units [Hz, m or m/s], for a coordinate by either of its names; None if the file does not give it."""
     ratio = RATIOS.get(name, name)
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     if ratio == "frequency_ratio":
@@ -52,6 +51,6 @@ def unit_of(file: Scales, name: str) -> float | None:
 
 
 def coordinate(file: Scales, stored: str) -> Coordinate:
-    """The Coordinate of a name in the file."""
+    """The Coordinate for a name in the file."""
     unit = unit_of(file, stored) if stored in RATIOS else None
     return Coordinate(RATIOS[stored], stored, unit) if unit else Coordinate(stored, stored)

@@ -1,7 +1,7 @@
-"""A table as a CSV file from anybody: a line with the names of its columns, then one line for each row.
+"""A table from an untrusted CSV file: a header line with the names of its columns, then one line per row.
 
-Columns are parted by commas, by semicolons or by tabs, whichever the first line has; with semicolons or tabs numbers may
-have decimal commas. Empty lines and lines that begin with # are passed over. What can't be read raises PeterkaFileError.
+The separator is the comma, the semicolon or the tab, whichever the header uses; with semicolons or tabs numbers may have
+decimal commas. Empty lines and lines that begin with # are skipped. Unreadable input raises PeterkaFileError.
 """
 
 import csv
@@ -16,12 +16,12 @@ from .harmless import harmless
 
 SEPARATORS = (";", "\t", ",")
 LONGEST_LINE = 10_000
-LONGEST_HEAD = 1_000  # lines, before the one with names
+LONGEST_HEAD = 1_000  # lines before the header
 
 
 @dataclass(frozen=True)
 class CsvTable:
-    """`rows`: (line number, {column: text}), one at least."""
+    """`rows`: (line number, {column: text}), at least one."""
 
     path: Path
     names: tuple[str, ...]
@@ -29,11 +29,11 @@ class CsvTable:
     decimal_commas: bool
 
     def refusal(self, reason: str, line: int | None = None) -> PeterkaFileError:
-        """The exception to raise: 'FILE:line reason'."""
+        """The exception to raise, with the message 'FILE:line reason'."""
         return PeterkaFileError(f"{self.path}{'' if line is None else f':{line}'} {reason}")
 
     def number(self, line: int, cells: dict[str, str], name: str) -> float | None:
-        """The finite number in a cell; None where it is empty."""
+        """The finite number in a cell; None if the cell is empty."""
         text = cells[name].strip()
         if not text:
             return None
@@ -47,7 +47,7 @@ class CsvTable:
 
 
 def read_csv_table(path: Path, known: Collection[str], what: str, largest_bytes: int) -> CsvTable:
-    """The table of a file; `known` are the names that columns may have, `what` says what the rows are."""
+    """The table of a file; `known` are the permitted column names, `what` describes the rows in messages."""
     text = _text(path, what, largest_bytes)
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
              if line.strip() and not line.startswith("#")]
@@ -68,10 +68,10 @@ def read_csv_table(path: Path, known: Collection[str], what: str, largest_bytes:
 
 
 def column_names(path: Path) -> list[str]:
-    """Those that the file's first line has, whatever they mean."""
+    """The column names of the file's first line, unchecked."""
     try:
         with open(path, encoding="utf-8-sig", errors="replace") as file:
-            # What never ends may have no line either, or nothing but empty ones.
+            # An endless file may have no line end, or only empty lines.
             lines = islice(iter(lambda: file.readline(LONGEST_LINE), ""), LONGEST_HEAD)
             first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     except OSError as error:

@@ -1,7 +1,7 @@
 """A file of peterka as an xarray.Dataset.
 
-Names are those of the file, what lies in a group with the group's before it: "attractors/cells". Coordinates are those
-of the file; numbers are the stored ones, regime -128 where a cell isn't computed. Values are read when they are used.
+Names are those of the file, prefixed by the group's name: "attractors/cells". Coordinates and numbers are as stored, regime
+-128 for a cell not computed. Values are read lazily.
 """
 
 import h5py
@@ -28,7 +28,7 @@ class _Stored(BackendArray):
 
 
 def dataset_of(data: CheckedFile) -> xarray.Dataset:
-    """All numbers of a checked file. The file stays open as long as the dataset is used."""
+    """A dataset of all numbers of a checked file. The file stays open as long as the dataset is in use."""
     variables = {}
     for name, dataset in data.numbers().items():
         values = indexing.LazilyIndexedArray(_Stored(data, name, dataset))
@@ -44,7 +44,7 @@ def dataset_of(data: CheckedFile) -> xarray.Dataset:
 
 
 def _dimensions(name, dataset):
-    """Names of the scales along each side, in the group of the dataset."""
+    """Names of the dimension scales along each side, within the dataset's group."""
     group = name.rpartition("/")[0]
     if h5py.h5ds.is_scale(dataset.id):
         return (name,)

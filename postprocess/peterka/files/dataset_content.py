@@ -1,5 +1,5 @@
-"""An xarray.Dataset of a file as what the checked readers read. It is used here, not made: programs that read files alone
-needn't wait for xarray to load.
+"""Presents an xarray.Dataset of a file to the checked readers. This module does not import xarray, so that programs that
+only read files need not wait for it to load.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class DatasetContent:
-    """A dataset in the place of a CheckedFile: the readers check it as they check a file."""
+    """A dataset in place of a CheckedFile; the readers check it as they check a file."""
 
     may_be_part = True  # of its file, by sel or isel
 
@@ -26,13 +26,13 @@ class DatasetContent:
         self.path = Path(dataset.encoding.get("source") or f"{dataset.attrs.get('title') or 'dataset'}.h5")
 
     def close(self) -> None:
-        """The dataset belongs to its owner."""
+        """Does nothing: the dataset belongs to the caller."""
 
     def verify(self) -> None:
-        """Its file was verified when it was opened."""
+        """Does nothing: the file was verified when it was opened."""
 
     def refusal(self, reason: str) -> PeterkaFileError:
-        """The exception to raise: 'the dataset of FILE reason'."""
+        """The exception to raise, with the message 'the dataset of FILE reason'."""
         return PeterkaFileError(f"the dataset of {self.path} {reason}")
 
     def attribute(self, name: str, of: str = "/") -> str | int | float | None:
@@ -42,15 +42,15 @@ class DatasetContent:
         return value if isinstance(value, str) or is_number(value) else None
 
     def names(self) -> list[str]:
-        """Of all that lies at the root."""
+        """Names of all objects at the root."""
         return sorted({str(name).split("/")[0] for name in self._dataset.variables})
 
     def has(self, name: str) -> bool:
-        """Whether there is a variable of this name, or a group."""
+        """Whether a variable or a group of this name exists."""
         return any(known == name or str(known).startswith(f"{name}/") for known in self._dataset.variables)
 
     def dataset(self, name: str, shape: tuple[int, ...] | None, kinds: str) -> xarray.Variable:
-        """The variable, of this shape (None: any) and of one of these kinds of numbers."""
+        """The variable, of this shape (None: any) and of one of these kinds of numbers; raises PeterkaFileError otherwise."""
         if name not in self._dataset.variables:
             raise self.refusal(f"has no dataset {name}")
         values = self._dataset.variables[name]
@@ -61,15 +61,15 @@ class DatasetContent:
         return values
 
     def values(self, name: str, rows: Any) -> Any:
-        """These rows (a slice, or () for a scalar) of a variable that was checked before."""
+        """These rows (a slice, or () for a scalar) of a variable already checked."""
         values = np.asarray(self._dataset.variables[name][rows].values)
         check_range(self, name, values)
         return values
 
     def words(self, name: str) -> dict[int, str]:
-        """{number: word} of a variable of flags that was checked before."""
+        """{number: word} of a variable of flags already checked."""
         return meanings(self, name, np.ravel(self._dataset[name].attrs.get("flag_values", ())))
 
     def text(self, name: str) -> list[str]:
-        """None: a dataset has numbers alone."""
+        """Always empty: a dataset holds only numbers."""
         return []

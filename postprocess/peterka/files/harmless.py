@@ -1,14 +1,14 @@
-"""A stranger's text made harmless for where it is shown: a terminal, a picture, or a page in Markdown or HTML."""
+"""Sanitises untrusted text for display in a terminal, a picture, or a page in Markdown or HTML."""
 
 LONGEST = 160  # letters
-# What Markdown or HTML may take for more than a letter; a numeric entity is never anything but a letter.
+# Characters with a meaning in Markdown or HTML; a numeric entity is always literal.
 _MARKUP = frozenset("&<>\"'`*_{}[]#!|~\\$:@")
-_NAMES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}  # as everybody writes them
+_NAMES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}  # the customary named entities
 
 
 def harmless(text: object, longest: int | None = LONGEST, page: bool = False) -> str:
-    """One line of printable letters: controls, breaks and marks that turn the direction of writing are shown as such (\\x1b),
-    and what is longer than so many letters (None: any) is cut. `page`: as a piece of Markdown or HTML that says the same."""
+    """One line of printable characters: controls, line breaks and bidirectional marks are escaped (\\x1b), and text longer
+    than `longest` (None: unlimited) is cut. `page`: as Markdown or HTML source that displays this text."""
     text = "".join(map(_shown, str(text)[: None if longest is None else longest + 1]))
     if longest is not None and len(text) > longest:
         text = text[: longest - 1] + "…"
@@ -20,7 +20,7 @@ def _shown(letter):
 
 
 def _as_entity(text, place):
-    """Marks that mean something at the beginning of a line, and a point within a name of a host, too."""
+    """Whether a character has a meaning at this place: at the beginning of a line, or a point within a host name."""
     letter, before, after = text[place], text[:place], text[place + 1:place + 2]
     begins = before.strip("0123456789 ") == ""
     markup = letter in _MARKUP and not (letter == ":" and after == " ")

@@ -1,10 +1,10 @@
-"""The coordinates of a map or sweep by name, in the order of its job's axes: columns first, then rows."""
+"""Names of the coordinates of a map or sweep, in the order of its job's axes: columns first, then rows."""
 
 import tomllib
 
 
 def axes_of_job(text: object) -> list[str]:
-    """["contact_stiffness_n_per_m", "gap_ratio"] of a job's text; [] where it tells of none."""
+    """["contact_stiffness_n_per_m", "gap_ratio"] from a job's text; [] if it names none."""
     try:
         tables = tomllib.loads(text).get("axes", {}) if isinstance(text, str) else {}
     except (tomllib.TOMLDecodeError, RecursionError):

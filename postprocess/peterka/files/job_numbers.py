@@ -1,5 +1,5 @@
-"""What the cells of a map have in common with its hammer swinging freely: frequency, damping and gap in its own units, as they
-follow from the job and the axes, whatever these run over."""
+"""Quantities that the cells of a map share with its freely swinging hammer: dimensionless frequency, damping and gap, from
+the job and its axes, whichever quantities these vary."""
 
 import tomllib
 from collections.abc import Mapping
@@ -15,18 +15,18 @@ PLACE = ("frequency_ratio", "gap_ratio", "frequency_hz", "gap_m")  # coordinates
 
 @dataclass(frozen=True)
 class Swing:
-    """frequency_ratio, damping_ratio, gap_ratio: Omega/omega, zeta and gap/A0, arrays that fit each other's shapes."""
+    """frequency_ratio, damping_ratio, gap_ratio: Omega/omega, zeta and gap/A0, as arrays of compatible shapes."""
 
     frequency_ratio: Reals
     damping_ratio: Reals
     gap_ratio: Reals
 
     def room(self) -> Reals:
-        """Between the steady motion without a stop, as linear springs have it, and the stop, over A0; below 0 where it strikes."""
+        """Clearance over A0 between the stop and the steady motion without a stop, for linear springs; below 0 if it strikes."""
         return self.gap_ratio - edge_of_no_impact(self.frequency_ratio, self.damping_ratio)
 
     def stays_free(self) -> Mask:
-        """Whether the steady motion without a stop keeps away from it."""
+        """Whether the steady motion without a stop stays clear of the stop."""
         return self.room() > 0
 
 
@@ -38,19 +38,19 @@ def edge_of_no_impact(frequency_ratio: Reals, damping_ratio: Reals | float) -> R
 
 
 class UnreadableJob(ValueError):
-    """A job's text that doesn't tell what it has to."""
+    """A job's text that lacks required information."""
 
 
 def tables_of(text: object) -> dict[str, Any]:
     """The tables of a job's text."""
     try:
-        return tomllib.loads(text)  # type: ignore[arg-type]  # what is no text is refused below
+        return tomllib.loads(text)  # non-text is refused below
     except (tomllib.TOMLDecodeError, RecursionError, TypeError, AttributeError) as error:
         raise UnreadableJob("holds no job that can be read") from error
 
 
 def number_of(tables: Mapping[str, Any], path: str) -> float | None:
-    """The number at "hammer.mass_kg"; None where there is none."""
+    """The number at a dotted path such as "hammer.mass_kg"; None if absent."""
     value: Any = tables
     for key in path.split("."):
         value = value.get(key) if isinstance(value, dict) else None
@@ -58,11 +58,11 @@ def number_of(tables: Mapping[str, Any], path: str) -> float | None:
 
 
 def swing_of(tables: Mapping[str, Any], coordinates: Mapping[str, Reals]) -> Swing:
-    """The Swing where the axes have these values, {name in the file: array}; UnreadableJob where the job doesn't tell it."""
+    """The Swing at these values of the axes, {name in the file: array}. Raises UnreadableJob if the job lacks a number."""
     along = {_path(name): np.asarray(values, dtype=float) for name, values in coordinates.items()}
 
     def first(*paths):
-        """(which of them is given, its number): what an axis has goes before a table."""
+        """(index of the path that is given, its number): axes take precedence over tables."""
         for source in (along, {path: number_of(tables, path) for path in paths}):
             for path in paths:
                 if source.get(path) is not None:

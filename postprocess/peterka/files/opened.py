@@ -1,6 +1,6 @@
-"""A peterka file of any kind, open and with a checked header: layout version, kind, title and plain attributes.
+"""An open peterka file of any kind with a checked header: layout version, kind, title and plain attributes.
 
-What cannot be drawn raises PeterkaFileError. Use it, or a class made of it, in a `with` block.
+Files that cannot be drawn raise PeterkaFileError. Use this class, or a subclass, in a `with` block.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ Source: TypeAlias = "str | os.PathLike | xarray.Dataset"
 
 __all__ = ["KINDS", "OpenedFile", "STANDARD_GRAVITY"]
 
-LAYOUTS = (2, 3)  # that can be read; in those of 2 status 0, named proved, may hide that rounding decides a label
+LAYOUTS = (2, 3)  # readable versions; in layout 2, status 0 (named proved) may hide that rounding decides a label
 KINDS = ("map", "basin", "sweep", "trace", "study", "curves")
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
 class OpenedFile:
-    """`kind` is one of KINDS; a subclass checks its own content in check_content()."""
+    """`kind` is one of KINDS; subclasses check their own content in check_content()."""
 
     def __init__(self, source: Source) -> None:
         """`source`: the path of a file, or an xarray.Dataset of one."""
@@ -40,7 +40,7 @@ class OpenedFile:
         try:
             self.kind = self._checked_kind()
             self.check_content()
-            if type(self) is not OpenedFile:  # of the header alone nothing is shown
+            if type(self) is not OpenedFile:  # nothing is shown from the header alone
                 self.data.verify()
         except BaseException:
             self.data.close()
@@ -53,33 +53,32 @@ class OpenedFile:
         self.data.close()
 
     def check_content(self) -> None:
-        """Nothing beyond the header."""
+        """Checks nothing beyond the header."""
 
     @property
     def computed(self) -> float:
-        """The share of it, 0 to 1, that is computed; each kind of file counts its own."""
+        """The computed share, 0 to 1; each kind of file counts in its own way."""
         raise NotImplementedError
 
     @cached_property
     def title(self) -> str:
-        """One harmless line; the name of the file where it has no title."""
+        """The title as one sanitised line; the file's name if it has no title."""
         text = self.data.attribute("title")
         return harmless((text.strip() if isinstance(text, str) else "") or self.path.stem)
 
     def number(self, name: str) -> float | None:
-        """A root attribute that is a finite number of some reasonable size, as float; None where it is absent or anything
-        else."""
+        """A root attribute that is a finite number of reasonable size, as float; None if absent or anything else."""
         value = self.data.attribute(name)
         return float(value) if is_number(value) and np.isfinite(value) and abs(value) <= LARGEST else None
 
     def positive(self, name: str) -> float | None:
-        """The same for a number that must be above zero, and by which others are divided."""
+        """The same for a positive number used as a divisor."""
         value = self.number(name)
         return value if value is not None and value >= 1 / LARGEST else None
 
     @property
     def newtons(self) -> float | None:
-        """N in the hammer's weight; None where the file doesn't tell."""
+        """The hammer's weight in N; None if the file does not give the mass."""
         mass = self.positive("hammer_mass_kg")
         return mass * STANDARD_GRAVITY if mass else None
 

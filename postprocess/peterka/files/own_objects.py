@@ -1,7 +1,7 @@
-"""What an HDF5 file that may come from anybody holds, before any of it is read: every object under one plain link, every
-dataset with storage of its own inside the file.
+"""Inspects an untrusted HDF5 file before any data are read: every object must
+have exactly one plain link, every dataset its own storage inside the file.
 
-So a file can't ask for more memory than it is long, and can't make this program read what lies in another one.
+Thus a file cannot request more memory than its own length, nor make this program read other files.
 """
 
 import os
@@ -13,23 +13,23 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
-# Planes of cells, one for each attractor that a cell may have; any other dataset has a cell's values side by side.
+# Planes of cells, one per attractor slot; all other datasets store a cell's values contiguously.
 STACKED = {"attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share",
            "critical_kick", "critical_kick_phase", "critical_kick_tried", "critical_kick_direction", "critical_kick_lower", "attractor_status",
            "attractor_orbit_displacement", "attractor_orbit_velocity", "mean_life_s", "mean_life_error_s"}
-SPARE = 2**28  # bytes that reading small things may take besides the file's own length
+SPARE = 2**28  # bytes allowed for reading small items, beyond the file's own length
 
 
 class NotOwn(Exception):
-    """What is wrong, without the file's name."""
+    """The reason for refusal, without the file's name."""
 
 
 @dataclass(frozen=True)
 class Storage:
-    """Where the numbers of a dataset lie in the file: in one piece, chunk after chunk where it is chunked.
+    """Location of a dataset's numbers in the file: contiguous, or chunk after chunk if chunked.
 
-    `shape`, `chunk`: (rows, columns, values per cell), None where it is not chunked. `stacked`: a chunk has plane after
-    plane, not cell after cell."""
+    `shape`, `chunk`: (rows, columns, values per cell), None if not chunked.
+    `stacked`: a chunk is stored plane after plane, not cell after cell."""
 
     begin: int
     size: int
@@ -40,14 +40,14 @@ class Storage:
 
     @property
     def grid(self) -> tuple[int, ...]:
-        """Chunks down and across, of what is chunked."""
+        """Numbers of chunks along rows and columns of a chunked dataset."""
         assert self.shape is not None and self.chunk is not None
         return tuple(-(-side // step) for side, step in zip(self.shape[:2], self.chunk[:2]))
 
 
 @contextmanager
 def bounded_memory(file_size: int) -> Iterator[None]:
-    """For reading attributes: a text of any length says how long it is, and HDF5 takes that much before it looks."""
+    """Caps memory while attributes are read: a variable-length text states its own length, and HDF5 allocates that much unchecked."""
     soft, hard = resource.getrlimit(resource.RLIMIT_AS)
     with open("/proc/self/statm", encoding="ascii") as pages:
         limit = int(pages.read().split()[0]) * os.sysconf("SC_PAGE_SIZE") + 2 * file_size + SPARE
@@ -61,8 +61,8 @@ def bounded_memory(file_size: int) -> Iterator[None]:
 
 
 def storages(file: h5py.File, file_size: int) -> dict[str, Storage | None]:
-    """{path: Storage or None for a group} of all objects, each group before what is in it, in the order of the names'
-    bytes. Raises NotOwn."""
+    """{path: Storage, or None for a group} of all objects, each group
+    before its members, in bytewise order of the names. Raises NotOwn."""
     found: dict[str, Storage | None] = {"/": None}
     addresses = {_address(file["/"])}
     _walk(file["/"], "", found, addresses, file_size)
@@ -96,7 +96,7 @@ def _walk(group, path, found, addresses, file_size):
 
 
 def _texts(names, path):
-    """As a list; h5py gives bytes for what is no UTF-8."""
+    """The names as a list; h5py returns bytes for invalid UTF-8."""
     found = list(names)
     if not all(isinstance(name, str) for name in found):
         raise NotOwn(f"has a name in {path or '/'} that is no text")

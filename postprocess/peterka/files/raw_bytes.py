@@ -1,7 +1,7 @@
-"""The checksum over a file's raw bytes, looked at before HDF5 opens it: HDF5 believes what it reads of texts and references.
+"""Verifies the checksum of a file's raw bytes before HDF5 opens it, because HDF5 trusts the texts and references it reads.
 
-src/map_file/raw_bytes.hpp describes the record, the last bytes of a file. Files of layout 2 have none, and one that another
-program has written anew has it elsewhere: what HDF5 makes of those is tried by a process of its own first (trial.py).
+src/map_file/raw_bytes.hpp describes the record, the last bytes of a file. Files of layout 2 have none, and a file rewritten
+by another program has it elsewhere: such files are first opened in a separate process (trial.py).
 """
 
 import os
@@ -13,7 +13,7 @@ from typing import BinaryIO
 
 try:
     import xxhash
-except ImportError:  # told where a file is looked at
+except ImportError:  # reported when a file is checked
     xxhash = None  # type: ignore[assignment]
 
 RECORD_SIZE = 4096  # bytes
@@ -21,13 +21,13 @@ TITLE = b"peterka bytes 1, XXH3 "
 FIRST_LINE = len(TITLE) + 16 + 1
 AT_ONCE = 2**20  # bytes
 LOST_RECORD = 1  # exit code of trial.py
-MOST_SECONDS = 30  # that a trial may take, starting up included
+MOST_SECONDS = 30  # limit for a trial, including start-up
 BROKEN = "is damaged: its bytes are not what was written (wrong checksum); compute it again"
 _RANGES = re.compile(rb"(?:[0-9]{1,19} [0-9]{1,19}\n)+")
 
 
 def fault_of(path: Path) -> str | None:
-    """Why HDF5 must not open the file, without its name; None where it may. Raises OSError."""
+    """Why HDF5 must not open the file, without its name; None if it may. Raises OSError."""
     if xxhash is None:
         return "can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)"
     with open(path, "rb") as raw:
@@ -38,7 +38,7 @@ def fault_of(path: Path) -> str | None:
 
 
 def are_sound(raw: BinaryIO) -> bool | None:
-    """Whether the bytes are those that the record was made of; None where no record is at the end."""
+    """Whether the bytes match the record; None if there is no record at the end."""
     size = os.fstat(raw.fileno()).st_size
     record = _read(raw, max(size - RECORD_SIZE, 0), RECORD_SIZE)
     if size < RECORD_SIZE or not record.startswith(TITLE):
@@ -49,7 +49,7 @@ def are_sound(raw: BinaryIO) -> bool | None:
 
 
 def first_line(raw: BinaryIO, lines: bytes, ranges: list[tuple[int, int]]) -> bytes:
-    """Of a record with these lines, to its end, and the ranges that they tell."""
+    """Checksum of a record with these lines, to its end, and the ranges that they describe."""
     total, at = xxhash.xxh3_64(lines), 0
     for begin, end in ranges:
         while at < begin:
@@ -61,7 +61,7 @@ def first_line(raw: BinaryIO, lines: bytes, ranges: list[tuple[int, int]]) -> by
 
 
 def _ranges_in(lines, size):
-    """In order, apart, and with the record itself in the last; None where they aren't."""
+    """The ranges, ascending, disjoint, the record itself in the last one; None if they are not."""
     text = lines.rstrip(b"\0")
     if not _RANGES.fullmatch(text):
         return None

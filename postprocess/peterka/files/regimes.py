@@ -1,4 +1,4 @@
-"""The numbers of `regime` in a file, and what belongs to them."""
+"""The numbers of `regime` in a file, and the words for them."""
 
 from collections.abc import Mapping
 
@@ -17,14 +17,14 @@ _REASONS = {
 
 
 def reason(status: str) -> str:
-    """Why a cell is unresolved or failed, in words, from the meaning of its `status` in words of the file."""
+    """Why a cell is unresolved or failed, in words, from the file's word for its `status`."""
     return _REASONS.get(status, status)
 
 
 def check_labels(data: Content, columns: Mapping[str, Integers]) -> None:
-    """Refuses arrays of regime, impacts and period that are no labels.
+    """Refuses arrays of regime, impacts and period that are not valid labels.
 
-    `data` is the file they come from; `columns` {name: integer array}, all of one shape."""
+    `data` is their source file; `columns` {name: integer array}, all of one shape."""
     regime = columns["regime"]
     known = np.isin(regime, [*range(FAILED + 1), NOT_COMPUTED])
     if not known.all():

@@ -1,7 +1,7 @@
-"""Whether a file is still what was written: the checksums of its tiles, and its seal over all the rest.
+"""Verifies that a file is unchanged since it was written: the checksums of its tiles, and its seal over everything else.
 
-The seal, /summary/checksum, is XXH3 (64 bits) of the sequence of bytes that src/map_file/seal.hpp describes. A file that is
-not finished has none; then /summary/frame vouches for its attributes and coordinates.
+The seal, /summary/checksum, is the XXH3 (64 bits) of the byte sequence described in src/map_file/seal.hpp. An unfinished
+file has none; then /summary/frame covers its attributes and coordinates.
 """
 
 from collections.abc import Mapping
@@ -15,22 +15,22 @@ from .own_objects import Storage
 
 try:
     import xxhash
-except ImportError:  # told where a file is verified
+except ImportError:  # reported when a file is verified
     xxhash = None  # type: ignore[assignment]
 
 SEAL, FRAME, FINISHED = "/summary/checksum", "/summary/frame", "/summary/finished"
-RECORD = "/summary/bytes"  # of raw_bytes.py, which vouches for itself
+RECORD = "/summary/bytes"  # of raw_bytes.py, which carries its own checksum
 ATTRACTOR, RUN = "/attractor", "/run"
 TOLD_BY_SCALES = {"DIMENSION_LIST", "REFERENCE_LIST"}
 AT_ONCE = 2**22  # bytes
 
 
 class Broken(Exception):
-    """What is wrong, without the file's name."""
+    """The reason for refusal, without the file's name."""
 
 
 def verify(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None]) -> None:
-    """`raw`: the same file's bytes, open; `storages`: of own_objects. Raises Broken."""
+    """`raw`: the open file of the same bytes; `storages`: from own_objects. Raises Broken."""
     if xxhash is None:
         raise Broken("can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)")
     finished = FINISHED in storages and file[FINISHED].shape == () and file[FINISHED][()] == 1
@@ -43,7 +43,7 @@ def verify(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None
 
 
 def seal_of(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None], whole: bool = True) -> int:
-    """Of the whole file, or of its frame: without the bytes of datasets that are no coordinates."""
+    """Checksum of the whole file, or of its frame, which omits the data of all datasets except coordinates."""
     total = xxhash.xxh3_64()
     for path in storages:  # in the order of the seal
         if path == RUN or path.startswith(RUN + "/"):
@@ -57,7 +57,7 @@ def seal_of(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | Non
 
 
 def tile_checksums(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None]) -> NDArray[np.uint64]:
-    """Of all tiles, in their order; none where nothing is kept in tiles."""
+    """Checksums of all tiles, in their order; none if nothing is stored in tiles."""
     if not any(_is_in_tiles(path, storages) for path in storages):
         return np.zeros(0, np.uint64)
     fields: list[Any] = [storages["/" + name] for name in _names_as_made(file) if _is_in_tiles("/" + name, storages)]
@@ -138,7 +138,7 @@ def _shape(sides):
 
 
 def _kind(type_id):
-    """As in the seal; Broken for what no file of peterka has."""
+    """The type's name as in the seal; raises Broken for types that no file of peterka contains."""
     size = type_id.get_size()
     if isinstance(type_id, h5py.h5t.TypeStringID):
         return "text" if type_id.is_variable_str() else f"S{size}"

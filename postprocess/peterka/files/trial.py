@@ -1,6 +1,6 @@
-"""Has HDF5 read all that it will read of a file without a checksum over its raw bytes: headers, attributes, scales.
+"""Lets HDF5 read everything it will read of a file without a raw-byte checksum: headers, attributes, scales.
 
-A program of its own, which HDF5 may crash or keep for ever: raw_bytes.py runs it and looks at how it ends.
+Runs as a separate program, because HDF5 may crash or hang; raw_bytes.py starts it and examines how it ends.
 """
 
 import os
@@ -14,7 +14,7 @@ import h5py
 from . import own_objects, seal
 from .raw_bytes import LOST_RECORD
 
-MOST_SECONDS = 5  # of the processor; all headers and texts take milliseconds
+MOST_SECONDS = 5  # of CPU time; all headers and texts take milliseconds
 
 
 def _try_to_read(path):
@@ -22,7 +22,7 @@ def _try_to_read(path):
     with h5py.File(path, "r") as file, open(path, "rb") as raw, own_objects.bounded_memory(size):
         storages = own_objects.storages(file, size)
         record = storages.get(seal.RECORD)
-        # another program would have put it elsewhere
+        # another program would have moved it
         if record is not None and record.begin + record.size == size:
             return LOST_RECORD
         seal.seal_of(file, raw, storages, whole=False)
@@ -30,7 +30,7 @@ def _try_to_read(path):
 
 
 def main() -> int:
-    """LOST_RECORD, or 0 for whatever HDF5 gets through, sound or not: that is told where the file is read in earnest."""
+    """Returns LOST_RECORD, or 0 for any file that HDF5 survives, sound or not: soundness is checked when the file is read."""
     used = sum(resource.getrusage(resource.RUSAGE_SELF)[:2])
     resource.setrlimit(resource.RLIMIT_CPU, (int(used) + MOST_SECONDS,) * 2)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -1,5 +1,5 @@
-"""Files that appear under their name when they are complete: no half one passes for a whole, nothing is written through a
-link, and two programs at once don't meet under one name."""
+"""Files that appear under their name only when complete: no partial file passes for a whole one, nothing is written through
+a link, and concurrent programs do not write to the same file."""
 
 import os
 import secrets
@@ -8,12 +8,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
-LONGEST_STEM = 100  # letters of the name that an unfinished file keeps: a name's room is limited
+LONGEST_STEM = 100  # characters of the name kept in an unfinished file's name, since name lengths are limited
 
 
 @contextmanager
 def written_whole(path: Path, mode: str = "w", **options: Any) -> Iterator[IO[Any]]:
-    """Opens a new file beside `path`, as open() does with these options, and renames it when the block ends well."""
+    """Opens a new file beside `path`, with the options of open(), and renames it if the block ends without an exception."""
     unfinished = path.with_name(f".{path.name[:LONGEST_STEM]}.{secrets.token_hex(4)}.unfinished")
     try:
         descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
@@ -28,6 +28,6 @@ def written_whole(path: Path, mode: str = "w", **options: Any) -> Iterator[IO[An
 
 
 def write_text(path: Path, text: str) -> None:
-    """A whole text in UTF-8."""
+    """Writes a whole text in UTF-8."""
     with written_whole(path, encoding="utf-8") as out:
         out.write(text)

@@ -1,8 +1,9 @@
-"""The stop and the springs from measurements: a recording of impacts, or what somebody measured of single ones.
+"""Identifies the stop and the springs from measurements: a recording of impacts, or measured properties of single impacts.
 
-`contact_pulse` is one impact in closed form, there and back; `recording` is evenly sampled signals, `recorded_file` reads them from CSV,
-`samples` thins them between impacts; `motion` is a hammer's, piece by piece in closed form; `first_guess` looks for the impacts and
-refuses what shows none; `starts` fits them by themselves, `flights` finds springs and gap between them; `problem` and `solve` are the
-least squares, `fit` of a release as a whole, `driven` of impacts of a hammer that something moves; `adequacy` refuses what is another
-motion; `impact_table` takes the stop from measured restitutions and contact times; `picture`, `rig_file` and `words` tell what came out.
+`contact_pulse` maps stop parameters to restitution and contact time in closed form, and back; `recording` holds evenly sampled signals,
+`recorded_file` reads them from CSV, `samples` thins them between impacts; `motion` is the hammer's motion, piecewise in closed form;
+`first_guess` detects the impacts and refuses recordings without any; `starts` fits single impacts, `flights` finds springs and gap from
+the flights between them; `problem` and `solve` are the least-squares problem and its solution, `fit` fits a whole release, `driven` the
+impacts of a driven hammer; `adequacy` refuses recordings of a different motion; `impact_table` derives the stop from measured
+restitutions and contact times; `picture`, `rig_file` and `words` report the results.
 """

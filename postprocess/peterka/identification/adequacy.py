@@ -1,8 +1,8 @@
-"""Whether a recording is of the motion that was fitted to it: what is left, against noise.
+"""Tests whether the fitted motion explains a recording: residuals against noise.
 
-Impacts by themselves, each with a time and a speed of its own, say how much a spring and a dashpot leave; where the whole motion
-leaves more in the same samples (F test), its springs, gap or cart are others. Between impacts what is left must change its sign as
-often as noise does (Wald and Wolfowitz's runs test).
+Fits of single impacts, each with its own time and speed, show how much a spring and a dashpot leave unexplained; if the
+whole motion leaves more in the same samples (F test), its springs, gap or cart are wrong. Between impacts the residuals must
+change sign as often as noise does (runs test of Wald and Wolfowitz, 1940).
 """
 
 from collections.abc import Mapping
@@ -17,15 +17,15 @@ from .recording import Recording
 from .solve import Solved, settle
 from .starts import Begin
 
-CHANCE = 1e-6  # below which what is left isn't noise
-LEAST_LEFT = 3e-4  # of the hardest peak, which no sensor resolves
-LEAST_SWING = 0.01  # of a signal's range: what is left between impacts and isn't worth a word
+CHANCE = 1e-6  # significance level below which residuals are not noise
+LEAST_LEFT = 3e-4  # of the hardest peak; no sensor resolves less
+LEAST_SWING = 0.01  # of a signal's range: smaller residuals between impacts are ignored
 FEWEST = 20  # residuals for a test
 ADVICE = "cut out one release with --from and --to; where the cart moves, give it as --driven"
 
 
 def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impacts: int, given: Mapping[str, float]) -> None:
-    """PeterkaFileError where the whole motion of one leg isn't the recorded one."""
+    """Raises PeterkaFileError if the whole motion of one leg is not the recorded one."""
     named = {"gap": f"{1e3 * given.get('gap', 0):.4g} mm from the stop", "omega": "with these springs", "damping_ratio": ""}
     what = " ".join(["the motion of a hammer that was let go over a cart at rest", *(named[name] for name in given if named[name])])
     touches = found.problem.motion(found.value, 0).touches
@@ -51,7 +51,7 @@ def _hint(given: Mapping[str, float]) -> str:
 
 
 def _impacts_left(found: Solved, alone: Solved) -> tuple[float, float]:
-    """(chance of so much more, root of mean squares' ratio) of what the whole motion leaves near impacts over what they leave by themselves."""
+    """(p-value, ratio of root mean squares) of the residuals near impacts, of the whole motion against single-impact fits."""
     problem = found.problem
     moved = problem.motion(found.value, 0)
     whole = itself = 0.0
@@ -74,7 +74,7 @@ def _impacts_left(found: Solved, alone: Solved) -> tuple[float, float]:
 
 
 def _between_left(found: Solved, name: str) -> tuple[float, float]:
-    """(chance of so few changes of sign, structured part of what is left over the signal's range) between impacts."""
+    """(p-value of so few sign changes, structured part of the residual over the signal's range) between impacts."""
     settled, problem = found.settled[0], found.problem
     left = problem.left(found.value, 0, settled.places)[1][name][settled.known_means]
     if name in SHARP and name == "force" or len(left) < FEWEST:
@@ -84,7 +84,7 @@ def _between_left(found: Solved, name: str) -> tuple[float, float]:
 
 
 def runs_chance(left: Reals) -> float:
-    """The chance that noise changes its sign so seldom, by the normal approximation of Wald and Wolfowitz."""
+    """The probability that noise changes sign so rarely, by the normal approximation of Wald and Wolfowitz (1940)."""
     signs = left > np.median(left)
     above, below = int(signs.sum()), int((~signs).sum())
     if min(above, below) < 2:

@@ -1,4 +1,4 @@
-"""One impact of a free mass on a spring and dashpot, in closed form, there and back.
+"""One impact of a free mass on a spring and dashpot, in closed form, and the inverse problem.
 
 With w = sqrt(ki/m) and z = ci/(2 sqrt(ki m)): the mass leaves when the force has fallen to 0, after
 
@@ -10,11 +10,11 @@ of its speed; for z > 1 with acosh(z) and sqrt(z^2 - 1). e falls from 1 (z = 0) 
 import numpy as np
 from scipy.optimize import brentq
 
-MOST_DAMPED = 1e4  # z; restitutions below 1e-17 are none
+MOST_DAMPED = 1e4  # z; restitutions below 1e-17 count as zero
 
 
 def angle_over_sine(ratio: float) -> float:
-    """acos(z)/sqrt(1 - z^2), and what it becomes at and above 1."""
+    """acos(z)/sqrt(1 - z^2), continued analytically to z >= 1."""
     if abs(ratio - 1) < 1e-6:
         return 1 - (ratio - 1) / 3
     if ratio < 1:
@@ -30,8 +30,7 @@ def pulse(mass_kg: float, stiffness: float, damping: float) -> tuple[float, floa
 
 
 def identified(mass_kg: float, restitution: float, contact_s: float) -> tuple[float, float]:
-    """(ki [N/m], ci [Ns/m]) of the stop that sends a free mass back at this share of its speed, 0 < e <= 1, after so long a
-    contact."""
+    """(ki [N/m], ci [Ns/m]) of the stop with this restitution, 0 < e <= 1, and contact time for a free mass."""
     ratio = 0.0
     if restitution < 1:
         ratio = brentq(lambda z: 2 * z * angle_over_sine(z) + np.log(restitution), 0, MOST_DAMPED, xtol=1e-14)

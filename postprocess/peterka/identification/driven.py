@@ -1,7 +1,7 @@
-"""The stop from impacts of a hammer that something moves: the cart, or a hand.
+"""The stop from impacts of a driven hammer, moved by the cart or by hand.
 
-Each impact has a time, a speed and a push of its own, by springs and cart, which changes evenly while it lasts; the stop is common
-to all. What moves the hammer between impacts doesn't matter then, and isn't told.
+Each impact has its own time, speed and push (the force of springs and cart, varying linearly during the impact); the stop is
+common to all. The motion between impacts then does not matter and need not be given.
 """
 
 from collections.abc import Mapping
@@ -17,15 +17,15 @@ from .recording import Recording
 from .solve import solved, start
 from .starts import SEEN, alone_problem, begin, impact_legs
 
-WEAKEST = 0.1  # of the hardest impact: weaker ones tell next to nothing
-MOST = 20  # impacts that are fitted, evenly out of all
-PUSHES = 2.0  # standard deviation of a push over its mean between impacts
-SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and standard deviation; ln omega over that of the impacts' rate
+WEAKEST = 0.1  # of the hardest impact: weaker impacts carry little information
+MOST = 20  # impacts that are fitted, evenly selected
+PUSHES = 2.0  # standard deviation of a push over the mean push between impacts
+SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and standard deviation; ln omega relative to the impacts' rate
 
 
 def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | None = None) -> Fit:
-    """The Fit of the impacts of a Recording, whatever moves the hammer between them; mass [kg]; `given`: "omega" [rad/s] and
-    "damping_ratio" of the springs where they are known; else errors allow for springs that swing about as fast as impacts come."""
+    """The Fit of the impacts of a Recording, whatever drives the hammer between them; mass [kg]; `given`: "omega" [rad/s]
+    and "damping_ratio" of the springs if known; otherwise the errors allow for springs as fast as the rate of impacts."""
     given, guess = dict(given or {}), look(recording)
     if not guess.sharp:
         raise PeterkaFileError(f"{recording.path} has neither force nor acceleration, without which single impacts can't be told")
@@ -60,8 +60,9 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
 
 
 def _problem(recording, guess, begun, chosen, mass, given):
-    """What brings a hammer back within a time T at (1 + e) times its speed pushes it by (1 + e) v/T in the mean, and about so, changing
-    as fast as a wave of half that time, during the impact: all impacts have a push in common, and each one of its own."""
+    """The Problem of the impacts with a prior for their pushes: reversing a hammer within a time T at (1 + e) times its
+    speed takes (1 + e) v/T on average; during an impact the push is of about that size and changes as fast as a wave of half
+    that period. All impacts share one push and have one of their own."""
     flight = float(np.median(np.diff([one.touch for one in begun.impacts]))) if len(begun.impacts) > 1 else recording.count * recording.step / 2
     push = PUSHES * (1 + begun.restitution) * begun.contact / (np.pi * flight)
     turn = 4 * np.pi / flight * begun.contact / SLOW

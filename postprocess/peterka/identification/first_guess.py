@@ -1,6 +1,6 @@
-"""Where a recording has impacts, which way its signals point, and how long contacts roughly last.
+"""Detects the impacts of a recording, the sign of its signals, and rough contact durations.
 
-A recording that can't tell is refused in words: no impact, or clipped.
+Unsuitable recordings are refused with the reason: no impact, or clipped.
 """
 
 from dataclasses import dataclass
@@ -12,21 +12,21 @@ from ..errors import PeterkaFileError
 from .problem import SHARP
 from .recording import Recording
 
-OVER_NOISE = 8  # an impact stands out of the noise by so many of its standard deviations
-OVER_SMOOTHED = 6  # the same once it is known how long they last
+OVER_NOISE = 8  # detection threshold, in standard deviations of the noise
+OVER_SMOOTHED = 6  # the same once the duration of contacts is known
 WEAKEST = 0.01  # of the hardest impact
-FLAT_TOP = 0.15  # of the width of a pulse: what is flat for longer was cut off
-BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: the recording over the samples looked at together
-REACH = 0.1  # of its peak: where a pulse begins and ends
+FLAT_TOP = 0.15  # of the width of a pulse: a flat top longer than this was clipped
+BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: recording length over the averaging window
+REACH = 0.1  # of its peak: level at which a pulse begins and ends
 LOOKED_AT = 1_000_000  # samples at most for a median
 AT_ONCE = 1_000_000
-BENT = 24  # samples for which a displacement is taken to be in contact at most
+BENT = 24  # largest contact, in samples, assumed for a displacement
 
 
 @dataclass(frozen=True)
 class Pulse:
-    """Samples from `first` to before `last`, where the signal is beyond REACH of its peak; of the peak itself its index, and
-    its height above the offset."""
+    """Samples from `first` to before `last`, where the signal exceeds REACH
+    of its peak; the index of the peak and its height above the offset."""
 
     first: int
     last: int
@@ -36,8 +36,8 @@ class Pulse:
 
 @dataclass(frozen=True)
 class Guess:
-    """`signs` {signal: +1 or -1} that turn the recorded signals to the model's; offsets in the recorded units, noise as a
-    standard deviation; `sharp`: the signal that showed the `pulses`, which are in the order of time, None where a displacement did."""
+    """`signs` {signal: +1 or -1} that map the recorded signals to the model's; offsets in recorded units, noise as a
+    standard deviation; `sharp`: the signal that showed the `pulses`, which are in order of time; None if a displacement did."""
 
     signs: dict[str, int]
     offsets: dict[str, float]
@@ -48,18 +48,18 @@ class Guess:
 
     @property
     def hardest(self) -> int:
-        """Number of the hardest pulse."""
+        """Index of the hardest pulse."""
         return int(np.argmax([pulse.height for pulse in self.pulses]))
 
     @property
     def contact(self) -> int:
-        """Samples of the hardest contact, as far as the pulse tells them."""
+        """Duration of the hardest contact in samples, as estimated from the pulse."""
         pulse = self.pulses[self.hardest]
         return pulse.last - pulse.first
 
 
 def look(recording: Recording) -> Guess:
-    """The Guess from a recording; PeterkaFileError where it shows no impact that could be measured."""
+    """The Guess from a recording. Raises PeterkaFileError if it shows no measurable impact."""
     signals = recording.signals
     offsets = {name: float(np.nanmedian(_some(values))) for name, values in signals.items()}
     noise = {name: noise_of(values) for name, values in signals.items()}
@@ -91,7 +91,7 @@ def look(recording: Recording) -> Guess:
 
 
 def noise_of(values: Reals) -> float:
-    """Standard deviation of what changes from sample to sample; not of what swings slowly, nor of rare impacts."""
+    """Standard deviation of the sample-to-sample noise, insensitive to slow swings and rare impacts."""
     steps = np.diff(_pieces(values))
     steps = steps[np.isfinite(steps)]
     return float(1.4826 * np.median(np.abs(steps - np.median(steps))) / np.sqrt(2)) if len(steps) else 0.0
@@ -102,7 +102,7 @@ def _some(values):
 
 
 def _pieces(values):
-    """Neighbours, from all over the recording."""
+    """Samples of neighbouring values, from the whole recording."""
     if len(values) <= LOOKED_AT:
         return np.asarray(values, dtype=float)
     begins = np.linspace(0, len(values) - 1000, LOOKED_AT // 1000).astype(int)
@@ -121,9 +121,9 @@ def _range(values):
 
 
 def _pulses(values, sign, offset, noise, highest):
-    """All Pulses of a signal whose impacts point to this sign: with the hardest one's width known, weaker ones stand out of
-    what is smoothed over a third of it."""
-    swing = float(np.nanquantile(np.abs(_some(values) - offset), 0.9))  # what it does between impacts
+    """All Pulses of a signal for impacts of this sign: once the hardest one's
+    width is known, weaker ones are detected after smoothing over a third of it."""
+    swing = float(np.nanquantile(np.abs(_some(values) - offset), 0.9))  # amplitude between impacts
     if not highest > max(OVER_NOISE * noise, 3 * swing):
         return []
     limit = max(OVER_NOISE * noise, WEAKEST * highest, 1.5 * swing)
@@ -137,7 +137,7 @@ def _pulses(values, sign, offset, noise, highest):
 
 
 def _above(values, sign, offset, limit, noise, width):
-    """The Pulses of means over so many samples."""
+    """The Pulses found in means over this many samples."""
     count, found, begin = len(values), [], 0
     for start in range(0, count, AT_ONCE):
         stop = min(count, start + AT_ONCE + 10 * width + 1000)
@@ -149,12 +149,12 @@ def _above(values, sign, offset, limit, noise, width):
             pulse = _pulse_around(level, int(at), max(0, begin - start), 3 * noise / np.sqrt(width))
             top = pulse.first + int(np.argmax(part[pulse.first:pulse.last]))
             found.append(Pulse(pulse.first + start, pulse.last + start, top + start, float(level[pulse.top])))
-            begin = 2 * found[-1].last - found[-1].first  # its tail is no impact
+            begin = 2 * found[-1].last - found[-1].first  # skips its tail, which is not an impact
     return found
 
 
 def _pulse_around(values, start, begin, floor):
-    """Of samples from `begin` on; what lies below the floor belongs to no pulse."""
+    """Extent of the pulse from `begin` on; samples below the floor belong to no pulse."""
     last = start + 1
     top = start
     while last < len(values) and values[last] > max(REACH * values[top], floor):
@@ -183,7 +183,7 @@ def _sign_at(values, offset, pulse, turn):
 
 
 def _sign_of_displacement(values, pulse):
-    """+1 where the hammer comes from below: it goes up before the impact and down after it."""
+    """+1 if the hammer approaches from below: it rises before the impact and falls after it."""
     around = 20 * (pulse.last - pulse.first)
     middle = np.nanmean(values[pulse.first:pulse.last])
     before, after = values[max(0, pulse.first - around):pulse.first], values[pulse.last:pulse.last + around]
@@ -191,8 +191,8 @@ def _sign_of_displacement(values, pulse):
 
 
 def _bends(recording):
-    """(sign, Pulses) of a displacement alone: an impact is where its speed turns at once, seen over as many samples as show
-    it best."""
+    """(sign, Pulses) of a displacement alone: an impact is an abrupt change
+    of its velocity, seen over the number of samples that shows it best."""
     if "displacement" not in recording.signals:
         raise PeterkaFileError(f"{recording.path} has no force, acceleration or displacement of the hammer")
     values = np.asarray(recording.signals["displacement"], dtype=float)
@@ -212,7 +212,7 @@ def _bends(recording):
 
 
 def _bend(values, width):
-    """(width, second differences of means over so many samples, above what they count for an impact)."""
+    """(width, second differences of means over `width` samples, relative to the detection threshold)."""
     sums = np.concatenate([[0], np.cumsum(values - values.mean())])
     means = (sums[width:] - sums[:-width]) / width
     bend = means[2 * width:] - 2 * means[width:-width] + means[:-2 * width]

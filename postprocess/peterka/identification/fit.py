@@ -1,8 +1,8 @@
-"""The rig whose motion over a cart at rest is nearest to a recording, by least squares, with standard errors.
+"""Fits a rig's motion over a cart at rest to a recording by least squares, with standard errors.
 
-What is fitted: ki and the stop's damping ratio, the springs' omega and damping ratio, the gap, the first touch and its speed, and an
-offset of each signal; what is given isn't fitted. Impacts by themselves say where each of them is; springs and gap begin at
-several places, from flights and swings.
+Parameters: ki and the stop's damping ratio, the springs' omega and damping ratio, the gap, the time and speed of the first
+touch, and an offset of each signal; given values are not fitted. Single-impact fits locate each impact; springs and gap have
+several initial values, from flights and swings.
 """
 
 from collections.abc import Mapping, Sequence
@@ -23,16 +23,16 @@ from .solve import Solved, coarse, levels, solved, start
 from .starts import Begin, Impact, begin, from_swings, noise_levels, samples_of
 
 FIRST_DAMPING_RATIO = 0.01
-WIDE = {"omega": (0.0, 2.0), "damping_ratio": (0.02, 0.3), "gap": (0.0, 3.0)}  # what is known before: next to nothing
-UNKNOWN = 0.25  # a relative standard error above which a number isn't known
-LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that is always small enough
+WIDE = {"omega": (0.0, 2.0), "damping_ratio": (0.02, 0.3), "gap": (0.0, 3.0)}  # weakly informative priors
+UNKNOWN = 0.25  # relative standard error above which a number counts as unknown
+LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffices
 
 
 @dataclass(frozen=True)
 class Fit:
-    """`found` from a `recording`; `solved` has the motion; `impacts` those of the recording that were used, `unused` words on the
-    others; `misfit`: root mean square of what is left in contact over that elsewhere, the most of all signals; `given`: names of
-    what wasn't fitted."""
+    """`found` from a `recording`; `solved` has the motion; `impacts` are those of the recording that were used, `unused`
+    describes the others; `misfit`: root mean square of the residuals in contact over that elsewhere, the maximum over all
+    signals; `given`: names of the values not fitted."""
 
     recording: Recording
     guess: Guess
@@ -44,12 +44,12 @@ class Fit:
     unused: Sequence[str] = ()
 
     def contacts(self) -> list[tuple[float, float]]:
-        """(begin, end) of each contact of the motion [s] from the recording's begin."""
+        """(begin, end) of each contact of the motion [s], from the beginning of the recording."""
         problem = self.solved.problem
         return [pair for number in range(len(problem.legs)) for pair in problem.motion(self.solved.value, number).contacts()]
 
     def model(self, time: Reals) -> dict[str, Reals]:
-        """{signal: values as recorded} at these times [s] from the recording's begin; NaN where nothing was fitted."""
+        """{signal: values as recorded} at these times [s] from the beginning of the recording; NaN where nothing was fitted."""
         problem = self.solved.problem
         found = {name: np.full(len(time), np.nan) for name in problem.names}
         for number, leg in enumerate(problem.legs):
@@ -62,8 +62,8 @@ class Fit:
 
 
 def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = None) -> Fit:
-    """The Fit of a Recording over a cart at rest; mass [kg]; `given`: "gap" [m], "omega" [rad/s], "damping_ratio" where they are known.
-    PeterkaFileError where the recording doesn't tell."""
+    """The Fit of a Recording over a cart at rest; mass [kg]; `given`: "gap" [m], "omega" [rad/s], "damping_ratio" if known.
+    Raises PeterkaFileError if the recording does not determine the stop."""
     given, guess = dict(given or {}), look(recording)
     begun, samples = begin(recording, guess, mass), samples_of(recording, guess)
     starts = from_events(begun, mass, given)[:1]
@@ -76,11 +76,11 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
         problem = release_problem(recording, guess, begun, samples, mass, given, one)
         value = _begun(problem, begun, one, given)
         try:
-            if "damping_ratio" not in one.value:  # from a swing, which tells the way, but not to a sample
+            if "damping_ratio" not in one.value:  # from a swing, which is less accurate than one sample
                 value = solved(coarse(problem), value).value
             found.append(solved(problem, value))
         except (ValueError, np.linalg.LinAlgError):
-            pass  # it led nowhere
+            pass  # no convergence from here
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
     best = min(found, key=lambda one: one.cost)
@@ -88,14 +88,14 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
 
 
 def agreeing(found: Fit, begun: Begin, given: Mapping[str, float]) -> Fit:
-    """The Fit, unless it says of itself that the recording is of another motion."""
+    """The Fit; raises PeterkaFileError if its residuals show that the recording is of a different motion."""
     refuse_other_motion(found.recording, found.solved, begun, len(found.impacts), given)
     return telling(found)
 
 
 def release_problem(recording: Recording, guess: Guess, begun: Begin, samples: Samples, mass: float, given: Mapping[str, float],
                     begin_at: Start) -> Problem:
-    """That of the whole recording as one leg."""
+    """The Problem of the whole recording as one leg."""
     first = begun.impacts[0]
     omega, swing = begin_at.omega, begin_at.swing
     free = [name for name in ("stiffness", "stop_ratio", "omega", "damping_ratio", "gap") if name not in given]
@@ -107,14 +107,14 @@ def release_problem(recording: Recording, guess: Guess, begun: Begin, samples: S
 
 
 def _begun(problem, begun, one, given):
-    """First parameters."""
+    """Initial parameters."""
     told = {"touch 0" if name == "touch" else "speed 0" if name == "speed" else name: value for name, value in one.value.items()}
     value = start(problem, **{"stop_ratio": begun.stop_ratio, "damping_ratio": FIRST_DAMPING_RATIO, **told})
     return {**value, **problem.fixed}
 
 
 def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> Fit:
-    """The Fit of the hardest impact by itself, where nothing else is told."""
+    """The Fit of the hardest impact alone, if nothing else can be determined."""
     if begun.alone is None:
         raise PeterkaFileError(f"{recording.path} is too coarse to see the contact, which lasts for about {guess.contact} samples, and "
                           "shows no flights that tell it otherwise")
@@ -122,7 +122,7 @@ def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> 
 
 
 def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequence[Impact], unused: Sequence[str] = ()) -> Fit:
-    """Once more with the noise that is left, and what that says of errors."""
+    """Solves again with the residual noise level, and updates the errors accordingly."""
     problem = found.problem
     noise, more = levels(found)
     problem = replace(problem, noise={**problem.noise, **noise}, extra_noise=more)
@@ -132,7 +132,7 @@ def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequenc
 
 
 def _likeness(found):
-    """How alike neighbours of what is left in contact are, from 0 to below 1, which makes errors larger than noise alone would."""
+    """Correlation of neighbouring residuals in contact, from 0 to below 1, which increases errors beyond those of white noise."""
     most, problem = 0.0, found.problem
     for name in set(SHARP) & set(problem.names):
         pieces = []
@@ -150,7 +150,7 @@ def _likeness(found):
 
 
 def telling(fit: Fit) -> Fit:
-    """The Fit, unless its errors leave nothing of the stop."""
+    """The Fit; raises PeterkaFileError if its errors leave the stop undetermined."""
     recording, guess, found = fit.recording, fit.guess, fit.solved
     stiffness, ratio = found.error("stiffness"), found.error("stop_ratio")
     if stiffness <= UNKNOWN and ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):

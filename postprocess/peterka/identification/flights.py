@@ -1,9 +1,10 @@
-"""Springs and gap from when impacts come and how fast they are, by scanning: without steps, and without a place to begin.
+"""Springs and gap from the times and speeds of impacts, by scanning: without time stepping or an initial guess.
 
-A flight that begins at u0 with speed -w is at u0 A(s) - w B(s) after s, with A = exp(-zeta omega s) (cos + zeta/sqrt(1 - zeta^2) sin) and
-B = exp(-zeta omega s) sin/(omega sqrt(1 - zeta^2)), both of omega sqrt(1 - zeta^2) s. It begins where the stop's force falls to 0, at
-u0 = gap + ci w/ki, and ends at the gap: so the first flight's time tells the gap for any springs, and the further flights' times and
-speeds, each from the last one's end, which springs these are.
+A flight from u0 with velocity -w reaches u0 A(s) - w B(s) after time s, where, with theta = omega sqrt(1 - zeta^2) s,
+A = exp(-zeta omega s) (cos theta + zeta/sqrt(1 - zeta^2) sin theta),
+B = exp(-zeta omega s) sin theta/(omega sqrt(1 - zeta^2)).
+It begins where the stop's force falls to 0, at u0 = gap + ci w/ki, and ends at the gap: the first flight's duration gives the gap for
+any springs; the durations and speeds of further flights, each from the end of the previous one, determine the springs.
 """
 
 from collections.abc import Mapping
@@ -15,19 +16,19 @@ from scipy.optimize import least_squares
 
 from .starts import Begin
 
-ANGLES = np.pi * np.linspace(0.6, 1.99, 1200)  # omega T of the first flight: below pi the springs press against the stop
+ANGLES = np.pi * np.linspace(0.6, 1.99, 1200)  # omega T of the first flight: below pi the springs are preloaded against the stop
 RATIOS = np.concatenate([[0.0], np.geomspace(5e-4, 0.3, 60)])  # damping ratios of the springs
-STARTS = 12  # places from which least squares begin
-FAR = 3.0  # as far as they may go: so many times APART, and standard deviations
-APART = 0.02  # relative, of omegas that are two
-LEAST_TIME, LEAST_SPEED = 0.02, 0.02  # errors of events, in contacts and relative, that aren't believed
-LOST = 30.0  # standard deviations, beyond which farther off is no worse
+STARTS = 12  # initial values for least squares
+FAR = 3.0  # bound on their steps: this many times APART, and standard deviations
+APART = 0.02  # relative difference of distinct omegas
+LEAST_TIME, LEAST_SPEED = 0.02, 0.02  # lower bounds on errors of events: in contacts, and relative
+LOST = 30.0  # standard deviations, beyond which larger deviations cost no more
 
 
 @dataclass(frozen=True)
 class Start:
-    """`value` {parameter: first value}, for springs of this `omega` [rad/s] and a `swing` [m] in which the gap is told; `cost` of the
-    events, infinite where they don't tell it."""
+    """`value` {parameter: initial value}, for springs of this `omega` [rad/s] and a `swing` [m] that scales the gap; `cost`
+    of the events, infinite if they do not determine it."""
 
     omega: float
     swing: float
@@ -36,7 +37,7 @@ class Start:
 
 
 def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[Start]:
-    """The Starts that fit the impacts' times and speeds, the best first; none where there are fewer than two impacts."""
+    """The Starts that fit the impacts' times and speeds, the best first; none for fewer than two impacts."""
     if len(begun.impacts) < 2 or begun.alone is None:
         return []
     first, second = begun.impacts[:2]
@@ -48,7 +49,7 @@ def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[S
     lag = 2 * begun.stop_ratio * np.sqrt(mass / begun.stiffness)
     off = _Off(begun, lag, given.get("gap"))
     omega, ratio = (grid.ravel() for grid in np.meshgrid(omegas, ratios, indexing="ij"))
-    with np.errstate(all="ignore"):  # springs with which it doesn't come back
+    with np.errstate(all="ignore"):  # for springs that do not bring the hammer back
         cost = np.sum(np.square(np.nan_to_num(off(omega, ratio, 0.0)[0], nan=LOST).clip(-LOST, LOST)), axis=0)
         found: list[Start] = []
         tried: list[float] = []
@@ -66,7 +67,7 @@ def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[S
 
 
 def _nearest(off, speed, omega, ratio, given):
-    """The Start that least squares find from these springs, and from the stop's restitution."""
+    """The Start found by least squares from these springs and the stop's restitution."""
     def left(chosen):
         return np.nan_to_num(off(*springs(chosen), chosen[2])[0], nan=LOST).clip(-LOST**2, LOST**2)
 
@@ -90,7 +91,7 @@ class _Off:
     told_gap: float | None
 
     def __call__(self, omega: Any, ratio: Any, back: Any) -> tuple[Any, Any]:
-        """([what is off, in standard deviations], gap [m]) with these springs, and with a restitution by so many standard deviations higher."""
+        """([deviations, in standard deviations], gap [m]) for these springs and a restitution raised by this many standard deviations."""
         impacts, gap, rows = self.begun.impacts, None, [back + 0 * omega]
         restitution = self.begun.restitution * np.exp(LEAST_SPEED * back)
         speed = impacts[0].speed + 0 * omega

@@ -1,4 +1,4 @@
-"""The stop from restitutions and contact times that somebody measured: single ones, or a table of impacts.
+"""The stop from measured restitutions and contact times: single values, or a table of impacts.
 
     restitution, or speed_before_m_s and speed_after_m_s
     contact_time_s or contact_time_ms
@@ -17,7 +17,7 @@ LARGEST_BYTES = 2**24
 
 
 def from_impact(mass: float, restitution: Number, contact_s: Number) -> Identified:
-    """The Identified of two Numbers; errors of None count as 0."""
+    """The Identified from two Numbers; errors of None count as 0."""
     values = restitution.value, contact_s.value
     covariance = np.diag([(number.error or 0.0) ** 2 for number in (restitution, contact_s)])
     stiffness, damping = identified(mass, *values)
@@ -26,7 +26,7 @@ def from_impact(mass: float, restitution: Number, contact_s: Number) -> Identifi
 
 
 def read_impacts(path: Path) -> tuple[Number, Number]:
-    """(restitution, contact time [s]) as Numbers from a table of impacts: means with the errors that their scatter gives them."""
+    """(restitution, contact time [s]) as Numbers from a table of impacts: means, with standard errors from their scatter."""
     table = read_csv_table(path, COLUMNS, "impacts", LARGEST_BYTES)
     speeds = {"speed_before_m_s", "speed_after_m_s"}
     one_time = len({"contact_time_s", "contact_time_ms"} & set(table.names)) == 1
@@ -57,14 +57,14 @@ def _impact(table, line, cells):
 
 
 def fault_of(restitution: float, contact_s: float) -> str:
-    """What is wrong with a measured impact; empty where nothing is."""
+    """The fault of a measured impact, in words; empty if there is none."""
     if not 1e-9 < restitution <= 1:
         return f"has a restitution of {restitution:.4g}; a stop sends a hammer back with a share of its speed, above 0 up to 1"
     return "" if 0 < contact_s < np.inf else f"has a contact time of {contact_s:.4g} s; it must be above 0"
 
 
 def _slopes(mass, values):
-    """Of ki and ci over restitution and contact time, (2, 2)."""
+    """Derivatives of ki and ci with respect to restitution and contact time, (2, 2)."""
     columns = []
     for column, value in enumerate(values):
         step = 1e-5 * min(value, 1 - value if column == 0 and value < 1 else value)

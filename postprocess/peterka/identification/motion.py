@@ -1,10 +1,10 @@
-"""The motion of a hammer in a cart, piece by piece in closed form.
+"""The motion of a hammer in a cart, piecewise in closed form.
 
     m (u'' + y'') + c u' + k u = -F,   F = max(0, ki (u - gap) + ci u') beyond the gap, 0 before it
 
-u is the hammer's place in the cart and y the cart's, whose acceleration is harmonic, -y'' = Re(a exp(i W t)); a = 0 is a cart
-at rest. Flight and contact are damped oscillators under a harmonic force, so each piece is known at any time without steps,
-and so is its mean over any time.
+u is the hammer's position relative to the cart and y the cart's position, with harmonic acceleration -y'' = Re(a exp(i W
+t)); a = 0 is a cart at rest. Flight and contact are damped oscillators under a harmonic force, so each piece, and its mean
+over any interval, is known at any time without time stepping.
 """
 
 import cmath
@@ -19,9 +19,9 @@ from ..arrays import Integers, Reals
 from .contact_pulse import pulse
 
 LONGEST_SEARCH = 200
-MOST_IMPACTS = 500  # of one motion; those after them are too weak to be recorded
-PER_PERIOD = 40  # places in a period of springs or cart at which a flight is looked at
-SHORTEST = 1e-12  # s, and of a contact; events are told to this
+MOST_IMPACTS = 500  # of one motion; later ones are too weak to be recorded
+PER_PERIOD = 40  # points per period of springs or cart at which a flight is checked
+SHORTEST = 1e-12  # s: shortest contact, and the accuracy of event times
 NEWTON = 12  # steps
 
 
@@ -51,8 +51,8 @@ class Cart:
 
 @dataclass(frozen=True)
 class Piece:
-    """From `begin` [s] on u [m] is `rest` + the real part of sums of amplitude exp(root s), s = time since `begin`; `forced` is
-    (root, amplitude) of what the cart forces."""
+    """From `begin` [s] on, u [m] is `rest` plus the real part of the sum of amplitude exp(root s), s = time since `begin`;
+    `forced` is the (root, amplitude) of the response to the cart."""
 
     begin: float
     contact: bool
@@ -74,7 +74,7 @@ class Piece:
 
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """(u, u', u'') at one time, faster."""
+        """(u, u', u'') at a single time; faster than derivative()."""
         since = time - self.begin
         u, v, a = self.rest, 0.0, 0.0
         for root, amplitude in (*zip(self.roots, self.amplitudes), self.forced):
@@ -87,7 +87,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Motion:
-    """Pieces in the order of time; the first one, a flight, begins at the first touch and holds before it."""
+    """Pieces in order of time; the first, a flight, begins at the first touch and also holds before it."""
 
     rig: Rig
     cart: Cart
@@ -103,17 +103,17 @@ class Motion:
         return [(piece.begin, after.begin) for piece, after in zip(self.pieces, self.pieces[1:]) if piece.contact]
 
     def signals(self, time: Reals, names: Iterable[str], places: Integers | None = None) -> dict[str, Reals]:
-        """{name: values at these ascending times}, of force [N], acceleration of the hammer [m/s^2], displacement of the hammer in
-        the cart [m], cart_displacement and cart_acceleration. `places`: the number of the first of these times in each contact,
-        where it isn't to follow the touch: contacts go on before their touches then, as smooth functions."""
+        """{name: values at these ascending times} of force [N], acceleration of the hammer [m/s^2], displacement of the hammer in the
+        cart [m], cart_displacement [m] and cart_acceleration [m/s^2]. `places`: index of the first of these times in each contact, if
+        given independently of the touches: contacts are then extended before their touches as smooth functions."""
         return self._by_pieces(time, names, self._signal, places)
 
     def means(self, begins: Reals, ends: Reals, names: Iterable[str]) -> dict[str, Reals]:
-        """{name: means of these signals from begins to ends}, which ascend."""
+        """{name: means of these signals from begins to ends}, both ascending."""
         edges = np.unique(np.concatenate([begins, ends]))
         integrals = self._by_pieces(edges, names, self._integral)
         for name, values in integrals.items():
-            for piece, after in zip(self.pieces, self.pieces[1:]):  # make them one function
+            for piece, after in zip(self.pieces, self.pieces[1:]):  # match integration constants to make them one continuous function
                 at = np.array([after.begin])
                 jump = self._integral(piece, at, name) - self._integral(after, at, name)
                 values[edges >= after.begin] += jump
@@ -156,13 +156,13 @@ class Motion:
 
 
 def force_of(rig: Rig, piece: Piece, time: Any) -> Any:
-    """ki (u - gap) + ci u' [N] at these times, whatever its sign."""
+    """ki (u - gap) + ci u' [N] at these times, of either sign."""
     return rig.stiffness * (piece.derivative(0, time) - rig.gap) + rig.damping * piece.derivative(1, time)
 
 
 def motion(rig: Rig, cart: Cart, touch_time: float, touch_speed: float, until: float, most: int = MOST_IMPACTS) -> Motion:
-    """The Motion that first touches the stop then and so fast, with all impacts that begin before `until` [s]; after so many of
-    them the hammer goes on as if there were no stop."""
+    """The Motion that first touches the stop at this time and speed, with all impacts that begin before `until` [s]; after
+    `most` impacts the hammer continues as if there were no stop."""
     pieces = [_piece(rig, cart, touch_time, rig.gap, touch_speed, contact=False)]
     for number in range(most):
         pieces.append(contact := _piece(rig, cart, touch_time, rig.gap, touch_speed, contact=True))
@@ -184,7 +184,7 @@ def _piece(rig, cart, begin, u, speed, contact):
     decay = rig.damping_ratio * rig.omega + rig.damping * contact / (2 * rig.mass)
     rest = rig.stiffness / rig.mass * rig.gap / stiffness if contact else 0.0
     swing = np.sqrt(complex(decay**2 - stiffness))
-    if abs(swing) < 1e-7 * abs(decay):  # a double root: apart by less than any measurement sees
+    if abs(swing) < 1e-7 * abs(decay):  # a double root: separated by less than any measurement resolves
         swing = complex(1e-7 * decay)
     roots = -decay + swing, -decay - swing
     root = 1j * cart.omega
@@ -195,12 +195,12 @@ def _piece(rig, cart, begin, u, speed, contact):
 
 
 def _end_of_contact(rig, contact, until):
-    """When the force falls to 0; None where it doesn't until then."""
+    """The time at which the force falls to 0; None if not before `until`."""
     def force(time: float) -> float:
         u, v, _ = contact.at(time)
         return rig.stiffness * (u - rig.gap) + rig.damping * v
 
-    end = free = pulse(rig.mass, rig.stiffness, rig.damping)[1]  # what a free mass takes
+    end = free = pulse(rig.mass, rig.stiffness, rig.damping)[1]  # contact time of a free mass
     for _ in range(NEWTON):
         u, v, a = contact.at(contact.begin + end)
         slope = rig.stiffness * v + rig.damping * a
@@ -214,8 +214,8 @@ def _end_of_contact(rig, contact, until):
 
 
 def _searched_end(contact, force, until):
-    """The same, step by step."""
-    step = 0.05 / abs(contact.roots[1])  # the faster one where it creeps
+    """The same, by stepping."""
+    step = 0.05 / abs(contact.roots[1])  # the faster root if overdamped
     for _ in range(LONGEST_SEARCH):
         if force(contact.begin + 1.3 * step) <= 0:
             begin = contact.begin + (step if force(contact.begin + step) > 0 else 0.0)
@@ -227,7 +227,7 @@ def _searched_end(contact, force, until):
 
 
 def next_touch(rig: Rig, cart: Cart, flight: Piece, until: float) -> float | None:
-    """When a flight meets the stop: u comes to the gap, or force rises from 0 beyond it; None where it doesn't until then."""
+    """The time at which a flight meets the stop: u reaches the gap, or the force rises from 0 beyond it; None if not before `until`."""
     def over(time: float) -> float:
         u, v, _ = flight.at(time)
         return min(u - rig.gap, rig.stiffness * (u - rig.gap) + rig.damping * v)
@@ -242,12 +242,12 @@ def next_touch(rig: Rig, cart: Cart, flight: Piece, until: float) -> float | Non
     values = np.minimum(above, rig.stiffness * above + rig.damping * speeds)
     below = int(np.argmax(values < 0))
     if not values[below] < 0:
-        return None  # it doesn't leave
+        return None  # it does not separate
     turns = np.flatnonzero((speeds[below:-1] > 0) & (speeds[below + 1:] <= 0)) + below
     rises = np.flatnonzero((values[below:-1] < 0) & (values[below + 1:] >= 0)) + below
     for place in np.union1d(turns, rises):
         end = times[place + 1]
-        if values[place + 1] < 0:  # it may have been there and back
+        if values[place + 1] < 0:  # it may have crossed and returned
             end = _root(lambda time: flight.at(time)[1], times[place], end)
             if not over(end) > 0:
                 continue

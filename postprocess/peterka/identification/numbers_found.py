@@ -1,4 +1,4 @@
-"""What came out of measurements: numbers with their standard errors and covariance, and how errors go on through a function."""
+"""Identified numbers with standard errors and covariance, and error propagation through a function."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from ..arrays import Reals
 from .contact_pulse import pulse
 
-# As jobs name them, in SI; the gap last, which is no key of a rig but of a place.
+# Keys as in jobs, in SI units; the gap is last, a key of the operating point rather than of the rig.
 KEYS = ("contact.stiffness_n_per_m", "contact.damping_ns_per_m", "hammer.natural_frequency_hz", "hammer.damping_ratio",
         "operating_point.gap_m")
 STIFFNESS, DAMPING, FREQUENCY, DAMPING_RATIO, GAP = KEYS
@@ -19,7 +19,7 @@ STIFFNESS, DAMPING, FREQUENCY, DAMPING_RATIO, GAP = KEYS
 
 @dataclass(frozen=True)
 class Number:
-    """A value and its standard error, None where it was given."""
+    """A value and its standard error; None if the value was given."""
 
     value: float
     error: float | None = None
@@ -27,7 +27,8 @@ class Number:
 
 @dataclass(frozen=True)
 class Identified:
-    """Of a hammer of `mass` [kg] {key of KEYS: value} with their `covariance` in the order of `values`; `given` {key: value} that wasn't measured."""
+    """Results for a hammer of `mass` [kg]: {key of KEYS: value}, their `covariance` in the order of `values`, and `given` {key:
+    value}, which were not measured."""
 
     mass: float
     values: Mapping[str, float]
@@ -35,7 +36,7 @@ class Identified:
     given: Mapping[str, float]
 
     def number(self, key: str) -> Number | None:
-        """That of a key; None where nothing tells it."""
+        """The Number of a key; None if it is undetermined."""
         if key in self.given:
             return Number(self.given[key])
         if key not in self.values:
@@ -47,7 +48,7 @@ class Identified:
         return self.covariance[at, at]
 
     def correlation(self, one: str, other: str) -> float:
-        """Of two keys of `values`."""
+        """Correlation of two keys of `values`."""
         names = list(self.values)
         pair = self.covariance[names.index(one), names.index(other)]
         size = np.sqrt(self._variance(one) * self._variance(other))
@@ -64,7 +65,7 @@ class Identified:
 
 
 def identified_from(found: Any, likeness: float) -> Identified:
-    """Identified of a Solved, with errors of neighbours that are alike."""
+    """Identified from a Solved, with errors for correlated neighbouring residuals."""
     problem, names = found.problem, found.problem.parameters
     rig = problem.rig(found.value)
     stop = 2 * np.sqrt(rig.stiffness * rig.mass)
@@ -84,12 +85,12 @@ def identified_from(found: Any, likeness: float) -> Identified:
 
 
 def identified_stop(mass: float, stiffness: float, damping: float, covariance: Reals) -> Identified:
-    """Identified of ki and ci with their covariance (2, 2) alone."""
+    """Identified from ki and ci with their covariance (2, 2) alone."""
     return Identified(mass, {STIFFNESS: stiffness, DAMPING: damping}, np.asarray(covariance), {})
 
 
 def propagated(function: Callable[..., Sequence[float]], values: Sequence[float], covariance: Reals) -> list[Number]:
-    """Numbers of what a function makes of values with this covariance."""
+    """Numbers of a function of values with this covariance, by linear error propagation."""
     at = np.asarray(values, dtype=float)
     middle = np.array(function(*at))
     slopes = np.empty((len(middle), len(at)))
@@ -103,8 +104,8 @@ def propagated(function: Callable[..., Sequence[float]], values: Sequence[float]
 
 
 def combined(found: Sequence[Identified]) -> Identified:
-    """The Identified of several of the same mass by generalised least squares. Where they scatter by more than their errors, the errors
-    grow by as much."""
+    """Combines several Identified of the same mass by generalised least squares. If they scatter more than their errors
+    allow, the errors are increased accordingly."""
     if len(found) == 1:
         return found[0]
     keys = [key for key in KEYS if any(key in one.values for one in found)]

@@ -1,4 +1,4 @@
-"""A recording and the motion fitted to it: all of it, the hardest impact closely, and what is left of each signal."""
+"""A recording and its fitted motion: the whole recording, a close-up of the hardest impact, and the residual of each signal."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -8,17 +8,17 @@ from ..plotting import axes, style, units
 from ..plotting.linear_ticks import LinearNumbers, LinearTicks
 from .fit import Fit
 
-WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below
+WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and the space above and below
 RECORDED = {"color": "#8C8C8C", "marker": "o", "markersize": 1.8, "markeredgewidth": 0, "linestyle": "none"}
 FITTED = {"color": "#D55E00", "linewidth": 1.1}
 LEFT = {"color": "#003355", "marker": "o", "markersize": 1.4, "markeredgewidth": 0, "linestyle": "none"}
 NAMES = {"force": ("force", "N"), "acceleration": ("acceleration", "m/s²"), "displacement": ("displacement", "m")}
 MOST_SHOWN = 20_000  # samples
-AROUND = 0.8  # of the contact, shown before and after it
+AROUND = 0.8  # of the contact time, shown before and after it
 
 
 class _Titled:
-    """What a title is written from."""
+    """The data from which the title is written."""
 
     def __init__(self, title):
         self.title = title
@@ -60,7 +60,7 @@ def draw(fit: Fit, title: str) -> Figure:
 
 
 class _Shown:
-    """Samples and what was fitted to them: as many as a picture shows, and all near the hardest impact."""
+    """Samples and the motion fitted to them: as many as a picture shows, and all of those near the hardest impact."""
 
     def __init__(self, fit):
         self.fit, recording = fit, fit.recording
@@ -74,7 +74,7 @@ class _Shown:
 
 
 def _window(fit):
-    """(begin, end) of the hardest impact, with some time around it [s]."""
+    """(begin, end) [s] of a window around the hardest impact."""
     first = fit.guess.pulses[fit.guess.hardest].top * fit.recording.step
     begin, end = min(fit.contacts(), key=lambda pair: abs(sum(pair) / 2 - first))
     around = AROUND * (end - begin)
@@ -86,7 +86,7 @@ def _draw_signal(ax, shown, name, factor, inside, per_second):
     ax.plot(per_second * (shown.time[keep] - begin), factor * shown.signals[name][keep],
             rasterized=bool(keep.sum() > 5000), **RECORDED | ({"markersize": 3} if inside else {}))
     time, values = shown.time, shown.fitted[name]
-    if inside:  # as it is between the samples, too
+    if inside:  # also between the samples
         time = np.linspace(*inside, 2000)
         values = shown.fit.model(time - shown.fit.recording.begin)[name]
     ax.plot(per_second * (time - begin), factor * values, rasterized=len(time) > 5000, **FITTED)

@@ -1,8 +1,8 @@
-"""Parameters <-> the motion of a rig, leg by leg, and how far recorded signals are from it.
+"""Maps parameters to a rig's motion, leg by leg, and computes the residuals of recorded signals.
 
-A leg is a stretch of a recording that begins with an impact, whose time and speed are parameters of its own: a release is
-one leg, a driven motion several, so that no leg is so long that small differences grow in it; an impact by itself is one,
-too, with a push by springs and cart of its own. All legs have the rig in common.
+A leg is a stretch of a recording that begins with an impact, whose time and speed are its own parameters. A release is one
+leg; a driven motion has several, so that small differences do not grow over a long leg; a single impact is also a leg, with
+its own push by springs and cart. All legs share the rig.
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,19 +14,19 @@ from ..arrays import Integers, Reals
 from .motion import MOST_IMPACTS, Cart, Motion, Rig, motion, next_touch
 from .samples import Samples
 
-SHARP = ("force", "acceleration")  # signals that jump at first touch
+SHARP = ("force", "acceleration")  # signals that are discontinuous at first touch
 LEAST_NOISE = 1e-6  # of a signal's range
-NO_RIG = 1e6  # in standard deviations: what is left by parameters that are no rig
-SLOW = 0.1  # a push during one impact: its angle over the contact
-# of ln ki, zeta of the stop, ln omega and zeta of the springs, gap in swings, of each over its first guess
+NO_RIG = 1e6  # in standard deviations: residual assigned to parameters without a valid rig
+SLOW = 0.1  # a push during one impact: its phase angle over the contact
+# bounds on ln ki, zeta of the stop, ln omega and zeta of the springs, gap in swings, each relative to its first guess
 LOWEST = {"stop_ratio": 0.0, "damping_ratio": -0.3, "gap": -3.0, "stiffness": -12.0, "omega": -6.0}
 HIGHEST = {"stop_ratio": 50.0, "damping_ratio": 0.9, "gap": 30.0, "stiffness": 12.0, "omega": 6.0}
 
 
 @dataclass(frozen=True)
 class Leg:
-    """`touch` [s] and `speed` [m/s] are first guesses of the impact with which it begins; `impacts`: how many it has, those too weak to
-    be seen left out: its motion goes on without them, and what is recorded after the first of them counts for nothing."""
+    """`touch` [s] and `speed` [m/s] are first guesses for the impact with which the leg begins; `impacts`: number of its impacts.
+    Undetected weak impacts are excluded: the motion continues without them, and samples after the first of them have no weight."""
 
     samples: Samples
     touch: float
@@ -50,13 +50,13 @@ class Problem:
     noise: dict[str, float]
     step: float
     pushed: bool = False
-    blind: float = 0.0  # s: what lies as near to a touch counts for nothing
+    blind: float = 0.0  # s: samples this close to a touch have no weight
     prior: dict[str, tuple[float, float]] = field(default_factory=dict)
     extra_noise: dict[str, float] = field(default_factory=dict)  # {signal: factor of its noise in contact}
 
     @property
     def names(self) -> list[str]:
-        """Of the signals."""
+        """Names of the signals."""
         return list(self.ranges)
 
     @property
@@ -67,7 +67,7 @@ class Problem:
         return [*self.free, *([] if self.pushed else offsets), *(f"{name} {leg}" for leg in range(len(self.legs)) for name in own)]
 
     def values(self, chosen: Reals) -> dict[str, float]:
-        """{parameter: value}, those that are fixed, too."""
+        """{parameter: value}, including the fixed ones."""
         return {**self.fixed, **dict(zip(self.parameters, chosen))}
 
     def bounds(self) -> tuple[Reals, Reals]:
@@ -78,13 +78,13 @@ class Problem:
                 np.array([HIGHEST.get(name, far.get(name, np.inf)) for name in names]))
 
     def rig(self, value: Mapping[str, float]) -> Rig:
-        """That of these values."""
+        """The rig of these values."""
         stiffness = self.scale["stiffness"] * np.exp(value["stiffness"])
         return Rig(self.mass, stiffness, 2 * value["stop_ratio"] * np.sqrt(stiffness * self.mass),
                    self.scale["omega"] * np.exp(value["omega"]), value["damping_ratio"], self.scale["gap"] * value["gap"])
 
     def motion(self, value: Mapping[str, float], number: int) -> Motion:
-        """That of a leg."""
+        """The motion of a leg."""
         leg, contact = self.legs[number], self.scale["contact"]
         cart = Cart()
         if self.pushed:
@@ -97,7 +97,7 @@ class Problem:
                       leg.speed * np.exp(value[f"speed {number}"]), until, leg.impacts)
 
     def known_until(self, moved: Motion, number: int) -> float:
-        """Up to where a motion holds [s]: the first impact that its leg leaves out."""
+        """The time [s] up to which a motion is valid: the first impact that its leg excludes."""
         until = max([*self.legs[number].samples.time[-1:], *self.legs[number].samples.ends[-1:]])
         if len(moved.touches) < self.legs[number].impacts or moved.pieces[-1].contact:
             return np.inf
@@ -105,14 +105,14 @@ class Problem:
         return np.inf if touch is None else touch
 
     def as_recorded(self, value: Mapping[str, float], number: int, model: Mapping[str, Reals]) -> dict[str, Reals]:
-        """A motion's signals with sign and offset."""
+        """A motion's signals with the recording's sign and offset."""
         own = f" {number}" * self.pushed
         return {name: self.signs[name] * model[name] + self.offsets[name] + self.ranges[name] * value[f"offset_{name}{own}"]
                 for name in self.names}
 
     def left(self, value: Mapping[str, float], number: int, places: Integers | None = None, moved: Motion | None = None
              ) -> tuple[dict[str, Reals], dict[str, Reals]]:
-        """({signal: recorded less model} of the single samples, the same of the means) of a leg."""
+        """({signal: recorded minus model} for single samples, the same for means) of a leg."""
         samples, moved = self.legs[number].samples, moved or self.motion(value, number)
         singles = self.as_recorded(value, number, moved.signals(samples.time, self.names, places))
         means = self.as_recorded(value, number, moved.means(samples.begins, samples.ends, self.names))

@@ -1,11 +1,11 @@
 """Recordings as CSV files of named columns.
 
-    time_s or time_ms                                      ascending evenly, but for missing samples
+    time_s or time_ms                                      evenly ascending, except for missing samples
     force_n, force_kn                                      between hammer and stop
     acceleration_m_s2, acceleration_g                      of the hammer
     displacement_m, displacement_mm                        of the hammer in the cart
 
-One of these signals at least, in any order. A cell may be empty.
+At least one of these signals, in any order. A cell may be empty.
 """
 
 from pathlib import Path
@@ -29,7 +29,7 @@ LARGEST_BYTES = 2**28
 
 
 def read_recording(path: Path, begin: float | None, end: float | None) -> Recording:
-    """The Recording of a file, of the times from begin to end [s] alone (None: as far as it goes)."""
+    """The Recording of a file between the times begin and end [s] (None: unbounded). Raises PeterkaFileError for an unusable file."""
     table = read_csv_table(path, (*TIMES, *SIGNALS), "samples", LARGEST_BYTES)
     clocks, names = [name for name in table.names if name in TIMES], [name for name in table.names if name in SIGNALS]
     if len(clocks) != 1:

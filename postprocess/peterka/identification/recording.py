@@ -13,13 +13,13 @@ from ..arrays import Reals
 from ..errors import PeterkaFileError
 
 FEWEST_SAMPLES = 50
-UNEVEN = 0.3  # of a step, by which a time may be off its place: as far as few printed digits move it
-LONGEST_MISSING = 100  # times as many samples missing as there are: then the times are wrong
+UNEVEN = 0.3  # of a step: tolerance for a time stamp, as rounding to a few printed digits causes
+LONGEST_MISSING = 100  # ratio of missing to present samples beyond which the times must be wrong
 
 
 @dataclass(frozen=True)
 class Recording:
-    """Sample n lies at `begin` + n `step` [s]; `signals` {name: values as recorded, (count,)}."""
+    """Sample n is taken at `begin` + n `step` [s]; `signals` {name: values as recorded, (count,)}."""
 
     path: Path
     begin: float
@@ -28,17 +28,17 @@ class Recording:
 
     @property
     def count(self) -> int:
-        """Of the samples, those missing included."""
+        """Number of samples, including missing ones."""
         return len(next(iter(self.signals.values())))
 
     @property
     def missing(self) -> int:
-        """How many samples lack a signal."""
+        """Number of samples that lack any signal."""
         return sum(int(np.logical_or.reduce([np.isnan(signal[first:first + 10**6]) for signal in self.signals.values()]).sum())
                    for first in range(0, self.count, 10**6))
 
     def cut(self, begin: float | None, end: float | None) -> "Recording":
-        """What lies between these times [s]; None: as far as it goes."""
+        """The part between these times [s]; None: unbounded."""
         first = 0 if begin is None else int(np.clip(np.ceil((begin - self.begin) / self.step - 1e-6), 0, self.count))
         last = self.count if end is None else int(np.clip(np.floor((end - self.begin) / self.step + 1e-6) + 1, first, self.count))
         if last - first < FEWEST_SAMPLES:
@@ -49,13 +49,13 @@ class Recording:
 
 
 def even_places(time: Reals) -> tuple[float, float, np.ndarray]:
-    """(begin [s], step [s], place of each time in whole steps); ValueError where these times don't ascend evenly, but for
-    missing ones."""
+    """(begin [s], step [s], index of each time in whole steps). Raises
+    ValueError if the times do not ascend evenly apart from missing samples."""
     steps = np.diff(time)
     if not len(steps) or not steps.min() > 0:
         raise ValueError
     step = float(np.median(steps))
-    for _ in range(3):  # the median of rounded steps is off by a little
+    for _ in range(3):  # the median of rounded steps is slightly off
         places = np.rint(np.cumsum(np.append(0, np.rint(steps / step)))).astype(np.int64)
         step = float((time[-1] - time[0]) / places[-1])
     if places[-1] > LONGEST_MISSING * len(time):

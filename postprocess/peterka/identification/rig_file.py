@@ -1,4 +1,4 @@
-"""The rig that was found, as a TOML file that jobs name by rig = "...": hammer, contact, and the cart where it is told."""
+"""The identified rig as a TOML file that jobs include by rig = "...": hammer, contact, and the cart if known."""
 
 from collections.abc import Iterable
 
@@ -9,11 +9,11 @@ from ..toml import text_of
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 from .words import number_text
 
-KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error would be chance
+KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error is not significant
 
 
 def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | None = None) -> str:
-    """Of an Identified; `sources`: the names of what it was found from."""
+    """The file's text for an Identified; `sources`: names of the files it was identified from."""
     lines = ["# Found by identify.py from " + harmless(", ".join(sources), 400) + ", with standard errors.", "", "[hammer]",
              f"mass_kg = {float(found.mass)!r}"]
     frequency, ratio, gap = (found.number(key) for key in (FREQUENCY, DAMPING_RATIO, GAP))
@@ -33,7 +33,7 @@ def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | Non
 
 
 def identified_text(found: Identified, sources: Iterable[str]) -> str:
-    """The numbers with their covariance in SI, as jobs with uncertain rigs read them."""
+    """The numbers with their covariance in SI units, as read by jobs with uncertain rigs."""
     kept = [key for key in found.values if (number := found.number(key)) and told(number)]
     places = [list(found.values).index(key) for key in kept]
     table = {"of": kept, "mean": [found.values[key] for key in kept], "matrix": found.covariance[np.ix_(places, places)].tolist()}
@@ -42,7 +42,7 @@ def identified_text(found: Identified, sources: Iterable[str]) -> str:
 
 
 def told(number: Number) -> bool:
-    """Whether a number is known: given, or with an error that leaves something of it."""
+    """Whether a number is known: given, or with an error small enough to be significant."""
     return number.error is None or number.error < 0.5 * abs(number.value) or 0 < number.error < 1e-4
 
 

@@ -1,7 +1,7 @@
-"""A recording as it is fitted: all samples near impacts, and means over short times of what lies between them.
+"""A recording as it is fitted: all samples near impacts, and short-time means between them.
 
-A motion's means are known in closed form as its values are, so that this loses little: a mean over n samples has 1/sqrt(n) of
-their noise, and no signal changes much within 1/100 of a flight.
+The means of a motion are known in closed form like its values, so little information is lost: a mean over n samples has
+1/sqrt(n) of their noise, and no signal changes much within 1/100 of a flight.
 """
 
 from collections.abc import Iterable
@@ -18,8 +18,8 @@ SHORTEST_MEANS = 100  # in the shortest flight
 
 @dataclass(frozen=True)
 class Samples:
-    """Times [s] count from the recording's begin: `time` (n,) of single samples with `values` {signal: (n,)}; (m,) means from
-    `begins` to `ends` over `counts` samples with `means` {signal: (m,)}."""
+    """Times [s] count from the beginning of the recording: `time` (n,) of single samples with `values` {signal: (n,)}; (m,)
+    means from `begins` to `ends` over `counts` samples with `means` {signal: (m,)}."""
 
     time: Reals
     values: dict[str, Reals]
@@ -29,20 +29,20 @@ class Samples:
     means: dict[str, Reals]
 
     def part(self, begin: float, end: float) -> "Samples":
-        """What lies between these times [s]."""
+        """The part between these times [s]."""
         inside, within = (self.time >= begin) & (self.time <= end), (self.begins >= begin) & (self.ends <= end)
         return Samples(self.time[inside], _each(self.values, inside), self.begins[within], self.ends[within],
                        self.counts[within], _each(self.means, within))
 
     def without_means(self) -> "Samples":
-        """The single ones."""
+        """The single samples alone."""
         none = np.zeros(0)
         return Samples(self.time, self.values, none, none, none, {name: none for name in self.means})
 
 
 def thinned(recording: Recording, windows: Iterable[tuple[int, int]], shortest_flight: float | None) -> Samples:
-    """The Samples of a Recording: single ones in these windows (first, after the last), means between them. `shortest_flight`
-    in s, None where none is known."""
+    """The Samples of a Recording: single samples in these windows (first, after the last), means between them.
+    `shortest_flight` in s; None if unknown."""
     count = recording.count
     borders = np.clip(np.array(sorted(windows), dtype=int).reshape(-1, 2), 0, count)
     single = np.zeros(0, dtype=int)
@@ -68,7 +68,7 @@ def _each(signals: dict[str, Reals], chosen: Mask) -> dict[str, Reals]:
 
 
 def _stretches(borders, count):
-    """(first, after the last) of what lies outside all borders."""
+    """(first, after the last) of the intervals outside all windows."""
     found, begin = [], 0
     for first, last in borders:
         if first > begin:

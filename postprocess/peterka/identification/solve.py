@@ -1,8 +1,8 @@
-"""Least squares of a Problem, by scipy, with what they say of errors.
+"""Solves the least-squares Problem with scipy and estimates errors.
 
-Which samples lie in contact is settled before each round, from the touches of the last one, and the sample nearest to a touch
-(where contacts are sampled well, those within a step of it) counts for nothing: there the force of the model jumps, and that of a real sensor doesn't. What is left is a smooth function
-of the parameters.
+The set of samples in contact is fixed before each round, from the touches of the previous round, and the sample nearest to a
+touch (for well-sampled contacts, those within one step of it) has no weight: there the model's force jumps, and a real
+sensor's does not. The residuals are then a smooth function of the parameters.
 """
 
 from dataclasses import dataclass, replace
@@ -13,24 +13,25 @@ from scipy.optimize import least_squares
 from ..arrays import Integers, Mask, Reals
 from .problem import LEAST_NOISE, NO_RIG, SHARP, Problem
 
-ROUNDS = 8  # until the samples in contact stay the same
+ROUNDS = 8  # at most, until the set of samples in contact no longer changes
 NO_JUMP = 100.0  # standard deviations
 SHARP_JUMP, JUMP_OVER_NOISE, JUMP_REACH = 0.85, 10, 4  # of the model's jump; standard deviations; samples
-WITHIN_STEP = 12**-0.5  # standard deviation of a place that may be anywhere within a step
-MANY = 10  # samples of a contact, with which two more can be spared at each touch: a wrong one there leads far off
-STAYS = 0.3  # of a step, by which touches may move in the last round
-FEWEST = 4  # residuals, of which a level is told
-CLOSE = 1e-8  # relative change at which least squares end
+WITHIN_STEP = 12**-0.5  # standard deviation of a position uniformly distributed within a step
+MANY = 10  # samples of a contact from which two more can be dropped at each touch: one wrongly assigned there misleads the fit
+STAYS = 0.3  # of a step: tolerance on the motion of touches in the last round
+FEWEST = 4  # residuals needed to estimate a level
+CLOSE = 1e-8  # relative change at which least squares terminates
 COARSE, BLIND = 0.02, 0.1  # of a signal's range, of a contact
-STEP = 1e-6  # of parameters, which are of order 1, for slopes
-WHITE, FAR = 0.01, 0.01  # standard deviations, and change of a parameter, for slopes along principal axes
+STEP = 1e-6  # difference step of the parameters, which are of order 1
+WHITE, FAR = 0.01, 0.01  # standard deviations, and largest change of a parameter, for differences along principal axes
 
 
 @dataclass(frozen=True)
 class Settled:
-    """Of a leg: `touches` [s]; `places`: the first sample in each contact; `used`: which single samples aren't the nearest one to a touch;
-    `known` and `known_means`: what lies before the first impact that is left out; `contact`: which single samples lie in one;
-    `jumps` {number of a contact: middle [s] of the step in which a recorded signal jumps as far as the model says: the touch lies in it}."""
+    """State of a leg: `touches` [s]; `places`: index of the first sample in each contact; `used`: mask of the single samples
+    that are not nearest to a touch; `known` and `known_means`: masks of the part before the first excluded impact;
+    `contact`: mask of the single samples in contact; `jumps` {index of a contact: middle [s] of the step in which a recorded
+    signal jumps by as much as the model predicts, so that the touch lies in this step}."""
 
     touches: Reals
     places: Integers
@@ -41,14 +42,14 @@ class Settled:
     jumps: dict[int, float]
 
     def of(self, name: str) -> Mask:
-        """Which single samples of this signal count."""
+        """Mask of the single samples of this signal that have weight."""
         return self.used & self.known if name in SHARP else self.known
 
 
 @dataclass(frozen=True)
 class Solved:
-    """`value` {parameter}; `covariance` of problem.parameters; `cost`: sum of squares in standard deviations, of `rows` residuals;
-    `settled` of each leg."""
+    """`value` {parameter}; `covariance` in the order of problem.parameters; `cost`: sum of squares in standard deviations,
+    of `rows` residuals; `settled` for each leg."""
 
     problem: Problem
     value: dict[str, float]
@@ -58,21 +59,21 @@ class Solved:
     settled: list[Settled]
 
     def error(self, name: str) -> float:
-        """Standard error of a parameter; 0 where it is fixed."""
+        """Standard error of a parameter; 0 if it is fixed."""
         names = self.problem.parameters
         return float(np.sqrt(max(self.covariance[names.index(name), names.index(name)], 0))) if name in names else 0.0
 
 
 def start(problem: Problem, **begun: float) -> dict[str, float]:
-    """{parameter: 0, or as told}."""
+    """{parameter: the given initial value, else 0}."""
     return {name: begun.get(name, problem.fixed.get(name, 0.0)) for name in [*problem.fixed, *problem.parameters]}
 
 
 def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: int = ROUNDS) -> Solved:
-    """The Solved nearest to these values. ValueError where no rig moves so."""
+    """The Solved nearest to these values. Raises ValueError if no rig moves so."""
     names = problem.parameters
     lowest, highest = problem.bounds()
-    reach = max(problem.blind, problem.step) / problem.scale["contact"]  # farther than this a touch's samples don't follow it
+    reach = max(problem.blind, problem.step) / problem.scale["contact"]  # beyond this a touch's samples no longer follow it
     own = np.array([name.startswith("touch ") for name in names])
     settled = [settle(problem, problem.values(np.array([value.get(name, 0.0) for name in names])), number)
                for number in range(len(problem.legs))]
@@ -101,13 +102,13 @@ def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: in
 
 
 def coarse(problem: Problem) -> Problem:
-    """The same as if the noise were large, and without what lies near a touch: what is far from the motion pulls no more than that."""
+    """The same with large noise and without samples near touches, which limits the pull of samples far from the motion."""
     return replace(problem, noise={name: max(noise, COARSE * problem.ranges[name]) for name, noise in problem.noise.items()
                                    if name in problem.ranges}, blind=BLIND * problem.scale["contact"])
 
 
 def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
-    """The Settled of a leg with these parameters."""
+    """The Settled of a leg for these parameters."""
     samples, moved = problem.legs[number].samples, problem.motion(value, number)
     time, touches = samples.time, moved.touches
     used, contact = np.ones(len(time), dtype=bool), np.zeros(len(time), dtype=bool)
@@ -147,15 +148,15 @@ def _jumps(problem, value, number, moved, places):
 
 
 def _together(problem, settled):
-    """By how much more a jump's place is off where all impacts come the same number of samples apart: then each is sampled at the same
-    places, and many tell no more than one."""
+    """Factor on the error of a jump's position if all impacts are a constant number of samples apart: each is then sampled
+    at the same phase, and many impacts carry no more information than one."""
     touches = np.concatenate([one.touches for one in settled])
     steps = np.rint(np.diff(touches) / problem.step)
     return float(np.sqrt(len(touches))) if len(steps) > 2 and np.ptp(steps) == 0 else 1.0
 
 
 def levels(found: Solved) -> tuple[dict[str, float], dict[str, float]]:
-    """({signal: root mean square of what is left outside contact}, {signal: that in contact over it, at least 1})."""
+    """({signal: root mean square of the residuals outside contact}, {signal: ratio of that in contact to it, at least 1})."""
     noise, more = {}, {}
     for name in found.problem.names:
         outside, inside = [np.concatenate(parts) for parts in zip(*(
@@ -167,7 +168,7 @@ def levels(found: Solved) -> tuple[dict[str, float], dict[str, float]]:
 
 
 def _parts(found, number, name):
-    """(what is left outside contact, each of a single sample's noise; what is left in contact) of a signal in a leg."""
+    """(residuals outside contact, scaled to a single sample's noise; residuals in contact) of a signal in a leg."""
     settled, counts = found.settled[number], found.problem.legs[number].samples.counts
     singles, means = found.problem.left(found.value, number, settled.places)
     fine, known = settled.of(name), settled.known_means
@@ -204,8 +205,7 @@ def _leg(problem, value, number, settled, rows, off):
 
 
 def _slopes(problem, left, chosen, upper, rows):
-    """Of all residuals over the parameters, (residuals, parameters), by differences; parameters that legs have of their own are
-    moved in all legs at once."""
+    """Jacobian of all residuals, (residuals, parameters), by differences; a leg's own parameters are varied in all legs at once."""
     names, here = problem.parameters, left(chosen)
     edges, found = np.concatenate([[0], np.cumsum(rows)]), np.zeros((len(here), len(names)))
     for own in dict.fromkeys(name.split()[0] for name in names):
@@ -219,16 +219,15 @@ def _slopes(problem, left, chosen, upper, rows):
             inside = slice(None) if len(words) == 1 else slice(edges[int(words[1])], edges[int(words[1]) + 1])
             found[inside, column] = change[inside] / step
         if len(columns) > 1 or " " in names[columns[0]]:
-            for column, step in zip(columns, steps):  # priors are their own
+            for column, step in zip(columns, steps):  # each prior depends only on its own parameter
                 found[edges[-2]:, column] = [1 / deviation if names[column] == name else 0.0
                                              for name, (_, deviation) in problem.prior.items()]
     return found
 
 
 def _sharper(left, chosen, lower, upper, rough):
-    """The same slopes from central differences along the principal axes that rough ones tell, by WHITE standard deviations each, but
-    by no more than FAR. Springs, gap and speed make up for each other to a part in 1e4 and less, which differences along each of them
-    by itself don't resolve."""
+    """The Jacobian by central differences along the principal axes of a rough one, by WHITE standard deviations each, but at most FAR.
+    Springs, gap and speed compensate each other to 1e-4 and less, which differences along the single parameters do not resolve."""
     size = np.maximum(np.sqrt(np.sum(rough**2, axis=0)), 1e-30)
     _, strengths, axes = np.linalg.svd(rough / size, full_matrices=False)
     found = []

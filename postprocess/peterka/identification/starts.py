@@ -1,4 +1,4 @@
-"""From where least squares begin: the stop from impacts by themselves, springs and gap from the swings between them."""
+"""Initial values for least squares: the stop from single impacts, springs and gap from the swings between them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -14,20 +14,20 @@ from .samples import Samples, thinned
 from .solve import Solved, solved, start
 
 FIRST_RESTITUTION = 0.5
-SLICE = 1.5  # of a pulse's width: what an impact by itself is shown with before and after it
-AROUND, LEAST_AROUND = 3, 15  # widths of a pulse, and samples, that are kept before and after it
-SEEN = 4  # samples of a contact, from which on it tells a stop by itself
+SLICE = 1.5  # of a pulse's width: window of a single impact before and after the pulse
+AROUND, LEAST_AROUND = 3, 15  # widths of a pulse, and samples, kept before and after it
+SEEN = 4  # samples of a contact from which it determines a stop by itself
 SCANNED_RATIOS, SCANNED_LENGTHS, SCANNED_TOUCHES = (0.02, 0.1, 0.25, 0.5), np.linspace(0.6, 1.2, 7), 24
-MOST_ALONE = 8  # impacts that begin with a fit by themselves
+MOST_ALONE = 8  # impacts fitted individually at first
 WAVES: tuple[Any, ...] = (np.cos, np.sin)
-SWINGS = 400  # omegas tried for a swing that is seen
-ROUGH = 0.3  # error of a touch, in contacts, and of a speed that the height of a pulse tells
-FIRST_PUSH = 0.03  # standard deviation of the push by springs and cart during an impact, over what the stop does
+SWINGS = 400  # omegas tried for a detected swing
+ROUGH = 0.3  # error of a touch, in contact times, and relative error of a speed estimated from a pulse height
+FIRST_PUSH = 0.03  # standard deviation of the push by springs and cart during an impact, relative to the stop's
 
 
 @dataclass(frozen=True)
 class Impact:
-    """A pulse of a Guess as an impact: touch [s] from the recording's begin, speed [m/s], and their errors, [s] and relative."""
+    """A pulse of a Guess as an impact: touch [s] from the beginning of the recording, speed [m/s], and their errors, [s] and relative."""
 
     touch: float
     speed: float
@@ -38,8 +38,8 @@ class Impact:
 
 @dataclass(frozen=True)
 class Begin:
-    """First guesses: ki [N/m], damping ratio of the stop, contact [s], and of all impacts; `alone`: the hardest one by itself, None where it
-    isn't seen well enough."""
+    """First guesses: ki [N/m], damping ratio of the stop, contact time [s], and all impacts; `alone`: the fit of the hardest
+    one alone; None if it is not resolved well enough."""
 
     stiffness: float
     stop_ratio: float
@@ -50,14 +50,14 @@ class Begin:
 
 
 def window(guess: Guess, number: int) -> tuple[int, int]:
-    """(first, after the last) of the samples around a pulse that are kept one by one."""
+    """(first, after the last) of the samples around a pulse that are kept individually."""
     one = guess.pulses[number]
     around = max(AROUND * max(one.last - one.first, guess.contact), LEAST_AROUND)
     return one.first - around, one.last + around
 
 
 def samples_of(recording: Recording, guess: Guess) -> Samples:
-    """All of it, thinned between impacts."""
+    """The Samples of the whole recording, thinned between impacts."""
     flights = np.diff([one.first for one in guess.pulses]) * recording.step
     return thinned(recording, [window(guess, number) for number in range(len(guess.pulses))],
                    float(flights.min()) if len(flights) else None)
@@ -92,7 +92,7 @@ def begin(recording: Recording, guess: Guess, mass: float) -> Begin:
 
 
 def impact_legs(recording: Recording, guess: Guess, impacts: Sequence[Impact]) -> list[Leg]:
-    """A Leg of each impact by itself."""
+    """A separate Leg for each impact."""
     legs = []
     for impact in impacts:
         one = guess.pulses[impact.number]
@@ -104,14 +104,14 @@ def impact_legs(recording: Recording, guess: Guess, impacts: Sequence[Impact]) -
 
 
 def only_sharp(samples: Samples) -> Samples:
-    """The same without displacements, which tell no single impact."""
+    """The same without displacements, which do not determine a single impact."""
     return replace(samples, values={name: values for name, values in samples.values.items() if name in SHARP},
                    means={name: values for name, values in samples.means.items() if name in SHARP})
 
 
 def alone_problem(recording: Recording, guess: Guess, mass: float, stiffness: float, contact: float, legs: Sequence[Leg],
                   pushes: float) -> Problem:
-    """The Problem of impacts by themselves, with a push of their own by springs and cart."""
+    """The Problem of single impacts, each with its own push by springs and cart."""
     names = [name for name in SHARP if name in guess.signs]
     push = max(leg.speed for leg in legs) * np.pi / contact
     prior = {f"push_{part} {leg}": (0.0, pushes / (1 if part == "cos" else SLOW)) for leg in range(len(legs)) for part in ("cos", "sin")}
@@ -121,12 +121,12 @@ def alone_problem(recording: Recording, guess: Guess, mass: float, stiffness: fl
 
 
 def noise_levels(guess: Guess) -> dict[str, float]:
-    """Of all signals, none of them 0."""
+    """Noise of all signals, none of them 0."""
     return {name: max(noise, 1e-6 * guess.ranges[name]) for name, noise in guess.noise.items()}
 
 
 def _alone(recording, guess, mass, stiffness, ratio, contact, impacts):
-    """The Solved of impacts by themselves, which have the stop in common; None where that led nowhere."""
+    """The Solved of single impacts with a common stop; None if the fit fails."""
     problem = alone_problem(recording, guess, mass, stiffness, contact, impact_legs(recording, guess, impacts), FIRST_PUSH)
     try:
         return solved(problem, start(problem, stop_ratio=ratio))
@@ -135,7 +135,7 @@ def _alone(recording, guess, mass, stiffness, ratio, contact, impacts):
 
 
 def _scanned(recording, guess, mass):
-    """(ki, damping ratio, touch [s], speed [m/s]) of the hardest impact, the nearest of many pulses of a free mass to it."""
+    """(ki, damping ratio, touch [s], speed [m/s]) of the hardest impact: the best match among many pulses of a free mass."""
     one = guess.pulses[guess.hardest]
     around, step = one.last - one.first, recording.step
     first, last = max(0, one.first - around), one.last + around
@@ -156,7 +156,7 @@ def _scanned(recording, guess, mass):
 
 
 def _free_pulse(since, stiffness, ratio, mass):
-    """Force [N] of a free mass that touches at 0 with 1 m/s; ratio below 1."""
+    """Force [N] of a free mass that touches at time 0 with 1 m/s; damping ratio below 1."""
     omega = np.sqrt(stiffness / mass)
     swing = omega * np.sqrt(1 - ratio**2)
     inside = np.clip(since, 0, np.pi / swing)
@@ -166,7 +166,7 @@ def _free_pulse(since, stiffness, ratio, mass):
 
 
 def _rough_speed(recording, guess, mass, stiffness):
-    """At which an impact is as strong as the recorded one; of a displacement its slope before it."""
+    """The speed at which an impact is as strong as the recorded one; for a displacement, its slope before the impact."""
     hardest = guess.pulses[guess.hardest]
     if guess.sharp:
         return hardest.height * (1 / mass if guess.sharp == "force" else 1) / np.sqrt(stiffness / mass) * 1.3
@@ -177,8 +177,8 @@ def _rough_speed(recording, guess, mass, stiffness):
 
 
 def from_swings(samples: Samples, guess: Guess, begun: Begin, omega: float | None, gap: float | None) -> list[tuple[float, float]]:
-    """[(omega [rad/s], gap [m])] where swings are seen: of each stretch between impacts one of its own, all of one omega, by linear
-    least squares for each omega that is tried; what is given is kept."""
+    """[(omega [rad/s], gap [m])] of detected swings: a separate amplitude for each stretch between impacts, a common omega,
+    by linear least squares for each trial omega; given values are kept."""
     seen = next((name for name in ("displacement", "acceleration") if name in guess.signs), None)
     if seen is None:
         return []

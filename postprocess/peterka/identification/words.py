@@ -1,18 +1,18 @@
-"""What came out, in words for a terminal."""
+"""The results in words, for a terminal."""
 
 import numpy as np
 
 from .fit import Fit
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 
-MUCH_LEFT = 3  # times the noise
+MUCH_LEFT = 3  # multiple of the noise
 
 
 def number_text(number: Number) -> str:
-    """5.497e+06 ± 1.2e+04 is "5497000 ± 12000"."""
+    """5.497e+06 ± 1.2e+04 becomes "5497000 ± 12000"."""
     if not number.error:
         return f"{number.value:.5g}"
-    digits = 1 - int(np.floor(np.log10(number.error)))  # two of the error
+    digits = 1 - int(np.floor(np.log10(number.error)))  # two significant digits of the error
     if not -12 < digits < 12:
         return f"{number.value:.6g} ± {number.error:.2g}"
     shown = [f"{round(value, digits):.{max(digits, 0)}f}" for value in (number.value, number.error)]
@@ -21,11 +21,11 @@ def number_text(number: Number) -> str:
 
 ROWS = (("stop's stiffness ki", STIFFNESS, 1.0, "N/m"), ("stop's damping ci", DAMPING, 1.0, "Ns/m"),
         ("natural frequency", FREQUENCY, 1.0, "Hz"), ("damping ratio ζ", DAMPING_RATIO, 1.0, ""), ("gap", GAP, 1e3, "mm"))
-STRONG = 0.5  # a correlation that is told
+STRONG = 0.5  # correlations at least this large are reported
 
 
 def result_lines(found: Identified) -> list[str]:
-    """Of an Identified."""
+    """Describes an Identified."""
     restitution, contact_s = found.impact()
     rows = [(name, _scaled(found.number(key), factor), unit) for name, key, factor, unit in ROWS]
     rows += [("restitution", restitution, ""), ("contact time", _scaled(contact_s, 1e3), "ms")]
@@ -38,7 +38,7 @@ def result_lines(found: Identified) -> list[str]:
 
 
 def recording_lines(fit: Fit) -> list[str]:
-    """Of a Fit."""
+    """Describes a Fit."""
     recording, impacts = fit.recording, len(fit.impacts)
     signals = " and ".join(recording.signals)
     lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "

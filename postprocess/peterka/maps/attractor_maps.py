@@ -1,7 +1,7 @@
-"""What many starts in each cell tell: how many attractors, which has most starts, who impacts, how hard a knock it takes.
+"""Results of many starts per cell: number of attractors, the most frequent one, the share with impacts, the critical kick.
 
-Numbers of attractors grow darker, shares and kicks lighter, so that all of them can be read in grey; regimes have the
-colours of the Peterka map. Blocks of a reduced map show their mean share, and the kick of the most fragile cell.
+Numbers of attractors grow darker, shares and kicks lighter, so that all are readable in grey; regimes have the colours of
+the Peterka map. Blocks of a reduced map show their mean share, and the kick of their most fragile cell.
 """
 
 from weakref import WeakKeyDictionary
@@ -21,22 +21,22 @@ from .reduce import LIMIT, block_size, class_picture, orbit_picture, with_edges
 WIDTH = 3.7  # in
 NUMBERS = ["not computed yet", "1", "2", "3", "4", "5 or more"]
 NUMBER_COLOURS = ["#FFFFFF", "#F2F2F2", "#9ECAE1", "#4292C6", "#08519C", "#041E42"]
-MOST_CLASSES = 6  # of z, each of which has a picture of its own
-LEAST_SHARE = 0.005  # of the plane; rarer ones have none
+MOST_CLASSES = 6  # of z, each with its own picture
+LEAST_SHARE = 0.005  # of the plane; rarer ones get no picture
 LABELS = ["regime", "attractor_regime", "attractor_impacts", "attractor_period", "basin_share"]
 
 
 SHARES = {f"share_{'_'.join(map(str, entry.orbit)) if entry.orbit else entry.label.replace(' ', '_')}": entry
           for entry in CLASSES if entry.orbit or entry.label in ("no impact", "chaotic")}
-_COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # asked for each of SHARES
+_COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # requested once for each of SHARES
 LACKING_COLOUR = "#F7C6D0"
-NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # what a kick does in a cell
+NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # outcome of a kick in a cell
 KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
 
 
 @picture(PeterkaFile)
 def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """How many attractors of a cell are known: those on which its starts end, and others."""
+    """The number of known attractors of a cell: those reached by its starts, and others."""
     def label(regime, attractors, slots):
         return np.where(regime == NOT_COMPUTED, 0, np.clip(_known(attractors, slots), 1, len(NUMBERS) - 1))
 
@@ -50,7 +50,7 @@ def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 
 @picture(PeterkaFile)
 def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """The class of the attractor on which most starts end."""
+    """The class of the attractor reached by most starts."""
     names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period"]
     reduced, counts = orbit_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)))
     orbits: list[Artist] = []
@@ -65,14 +65,14 @@ def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
              if counts[n] and (entry.orbit or n == INDEX["no impact"])}
     _finished(figure, ax, file)
-    axes.name_areas(ax, reduced, named)  # into the plane as it is labelled
+    axes.name_areas(ax, reduced, named)  # into the plane, as labels are drawn
     return ax
 
 
 @picture(PeterkaFile)
 def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
-    """The critical kick of the periodic attractor with the largest share, or of the cell's own orbit; cells in which none was
-    found are told apart by whether another motion is known. None where no orbit was kicked."""
+    """The critical kick of the periodic attractor with the largest share, or of the cell's own orbit; cells without one are
+    distinguished by whether another motion is known. None if no orbit was kicked."""
     names = ["regime", *KICKS] + (["attractors", "attractor_regime"] if file.slots else [])
 
     def kinds(regime, kick, tried, *known):
@@ -101,19 +101,19 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
 
 
 def _known(attractors, slots):
-    """How many attractors of each cell are known; slots (slot, row, column) hold the regimes of those that are kept."""
+    """The number of known attractors of each cell; slots (slot, row, column) hold the regimes of the stored ones."""
     return np.maximum(attractors, (slots != NOT_COMPUTED).sum(axis=0))
 
 
 def _of_kicked(values, tried):
-    """Those of the first slot whose orbit was kicked, or of the cell: (rows, columns)."""
+    """The values of the first slot with a kicked orbit, or of the cell: (rows, columns)."""
     if values.ndim == 2:
         return values
     return np.take_along_axis(values, np.argmax(np.isfinite(tried), axis=0)[None], axis=0)[0]
 
 
 def _tried_without(file):
-    """The least and the largest size up to which cells without a critical kick were tried, m/s."""
+    """The smallest and the largest limit up to which cells without a critical kick were tested, m/s."""
     least, most = np.inf, 0.0
     for _, band in file.bands(["regime", *KICKS]):
         none = np.isnan(band["critical_kick"]) & np.isfinite(band["critical_kick_tried"])
@@ -135,7 +135,7 @@ def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 
 @picture(PeterkaFile)
 def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1") -> Axes:
-    """The share of starts that end in one of SHARES."""
+    """The share of starts that end in the class named by one of SHARES."""
     entry = SHARES[name]
 
     def share(regime, *slots):
@@ -148,7 +148,7 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
 
 
 def commonest(file: PeterkaFile) -> list[str]:
-    """Names of SHARES: the classes with most starts of the plane."""
+    """Names from SHARES: the classes with most starts over the plane."""
     if file not in _COMMONEST:
         _COMMONEST[file] = _find_commonest(file)
     return _COMMONEST[file]
@@ -190,7 +190,7 @@ def _finished(figure, ax, file):
 
 
 def _reduced(file, names, values, least):
-    """Values of the cells, a block's mean or, with np.fmin, its least one; NaN where it has none."""
+    """Cell values, reduced to a block's mean or, with np.fmin, its minimum; NaN where it has none."""
     block, pieces = block_size(file.shape, LIMIT), []
     for _, band in file.bands(names, block):
         cells = values(*(band[name] for name in names))

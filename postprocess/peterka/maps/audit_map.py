@@ -1,7 +1,7 @@
-"""What an independent engine found in a sample of a map's cells: where labels differ, and how far forces are apart.
+"""Result of an audit: cells solved again by an independent engine, where labels differ, and by how much forces differ.
 
-Above, the plane of the map in pale colours of its classes, a dot at each cell that was solved again and a ring where
-regime, p or q differ. Below, the share of the compared cells whose peak forces differ by no more than an error.
+Top: the map's plane in pale colours of its classes, with a dot at each audited cell and a ring where regime, p or q differ.
+Bottom: the share of the compared cells whose peak forces differ by at most a given error.
 """
 
 import numpy as np
@@ -22,12 +22,12 @@ PALE = 0.65  # share of white in the colours of the classes
 AGREES = {"marker": ".", "markersize": 2.5, "color": "black", "linestyle": "none", "markeredgewidth": 0}
 DIFFERS = {"marker": "o", "markersize": 7, "markerfacecolor": "none", "color": "black", "linestyle": "none",
            "markeredgewidth": 1.4, "path_effects": axes.outline(3)}
-SMALLEST_ERROR = 1e-17  # equal forces are drawn here: below the rounding of a double
+SMALLEST_ERROR = 1e-17  # equal forces are drawn here: below the unit roundoff of a double
 
 
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
-    """The audit of a map file; None where no cell is solved again yet."""
+    """The audit of a map file; None if no cell has been audited yet."""
     audit = file.audit
     if audit is None or audit.count == 0:
         return None
@@ -40,7 +40,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     axes.show_classes(ax, reduced, [_pale(entry.colour) for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     for chosen, look in ((audit.agrees, AGREES), (~audit.agrees, DIFFERS)):
-        if not chosen.any():  # a line without points has no extent, which upsets the layout
+        if not chosen.any():  # a line without points has no extent, which breaks the layout
             continue
         ax.plot(file.columns.values[audit.column[chosen]], file.rows.values[audit.row[chosen]], clip_on=False, **look)
     _draw_errors(error_ax, audit.force_error)
@@ -50,7 +50,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
 
 
 def compared_errors(force_error: Reals) -> Reals:
-    """The errors that could be compared, ascending."""
+    """The comparable errors, ascending."""
     return np.sort(force_error[np.isfinite(force_error)])
 
 
@@ -75,7 +75,7 @@ def _draw_errors(ax, force_error):
     ax.step(np.concatenate([[low], drawn, [high]]), np.append(steps, 100), where="post", color="#0072B2", linewidth=1.2)
     ax.set_xlim(low, high)
     axes.log_scale(ax, "x")
-    # above the curve, where it never is
+    # above the curve, which never reaches there
     ax.text(
         0.03, 0.94, f"{len(errors)} cells\nmedian {np.median(errors):.1e}\nlargest {errors[-1]:.1e}",
         transform=ax.transAxes, ha="left", va="top", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},

@@ -1,11 +1,11 @@
 """Basins of attraction over the start plane, x(0)/A0 and x'(0)/(A0 omega) (the paper's Fig. 24).
 
-By attractor: each has the colour of its class of z; a second, third, ... attractor of the same class has a paler or
-darker one. A dot marks the attractor itself where it lies inside the picture, and the legend tells of those outside: its
-point at forcing phase 0, where the cart is at 0 and moves at A0 Omega, so that the stored relative state (u, u') is the
-start (u, u' + Omega/omega). Where the stop is at the start, x = gap, is a line.
-By impact: the paper's two colours, impact and no impact; chaos is impact, whatever is not decided stays apart. Where
-the file knows when the last impact came, also as a run of so many cycles would see it.
+By attractor: each has the colour of its class of z; further attractors of the same class have paler or darker shades. A dot
+marks the attractor itself if it lies inside the picture; the legend mentions those outside. Its position is the stroboscopic
+point at forcing phase 0, where the cart is at 0 and moves at A0 Omega, so that the stored relative state (u, u') corresponds
+to the start (u, u' + Omega/omega). A line marks the stop at the start, x = gap.
+By impact: the paper's two colours, impact and no impact; chaos counts as impact, undecided cells stay separate. If the file
+has the time of the last impact, also as seen by a run of a given number of cycles.
 """
 
 from collections import Counter
@@ -25,24 +25,24 @@ from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
-NAMED_ATTRACTORS = 20  # a legend with more is not read; the smaller ones share one colour
+NAMED_ATTRACTORS = 20  # longer legends are unreadable; the smaller basins share one colour
 SHADES = [(0, "white"), (0.5, "white"), (0.4, "black"), (0.75, "white"), (0.65, "black")]  # mixed into a class's colour
-HATCHES = ["", "//", "\\\\", "xx", ".."]  # of these shades in the grey palette
+HATCHES = ["", "//", "\\\\", "xx", ".."]  # for these shades in the grey palette
 OTHER_COLOUR = CLASSES[INDEX["other p/q"]].colour
 MARK = {"marker": "o", "markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.8, "linestyle": "none",
         "path_effects": axes.outline(2.0), "zorder": 6}
 STOP = {"color": "black", "linewidth": 0.9, "linestyle": (0, (1, 1.2)), "path_effects": axes.outline(1.8), "zorder": 5}
-IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # the red is pale enough to differ from the blue in grey
+IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # this red is pale enough to differ from the blue in grey
 
 
 @picture(PeterkaFile)
 def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """The basin of each attractor of a basin file, with its share of the starts."""
+    """The basin of each attractor of a basin file, with its share of the starts, as Axes."""
     table = file.attractors
     assert table is not None
     named = _largest_attractors(table)
     named_entries = _attractor_entries(table, named, file.newtons if style.current().units == "si" else None)
-    # Labels below len(CLASSES) are classes, of starts that belong to no attractor; then the named ones, then the rest.
+    # Labels below len(CLASSES) are classes, for starts without an attractor; then the named attractors, then the rest.
     entries = _class_entries() + named_entries + [("other attractors", OTHER_COLOUR)]
     number = np.full(table.count + 1, len(entries) - 1)
     number[named] = len(CLASSES) + np.arange(len(named))
@@ -61,7 +61,7 @@ def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 
 @picture(PeterkaFile)
 def draw_impact(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """The starts that end in impacts and those that do not."""
+    """The starts that end in impacts and those that do not, as Axes."""
     entries = [*_class_entries(), ("impact", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact", NO_IMPACT_COLOUR)
 
@@ -74,8 +74,8 @@ def draw_impact(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 
 @picture(PeterkaFile)
 def draw_impact_after(file: PeterkaFile, ax: Axes | None = None, *, cycles: int = 300) -> Axes:
-    """The starts that still impact after so many forcing cycles and those that do not: what a run that ends
-    then takes for two attractors, where impacts are only a long transient."""
+    """The starts that still impact after a number of forcing cycles and those that do not: a run that stops then mistakes
+    them for two attractors, where impacts are merely a long transient."""
     entries = [*_class_entries(), (f"impact after {cycles} cycles", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact any more", NO_IMPACT_COLOUR)
 
@@ -87,8 +87,8 @@ def draw_impact_after(file: PeterkaFile, ax: Axes | None = None, *, cycles: int 
 
 
 def _draw(file, ax, names, label, entries, columns, marks=()):
-    """Axes of labelled starts; `entries` holds (legend text, colour) of each label, `columns` is
-    for the legend, `marks` are further entries of it."""
+    """Axes of labelled starts; `entries` holds (legend text, colour) for each
+    label, `columns` is the legend's, `marks` are additional legend entries."""
     reduced, counts = class_picture(file, names, label, len(entries))
     gap = file.number("gap_ratio")
     shows_stop = gap is not None and file.columns.edges[0] <= gap <= file.columns.edges[-1]
@@ -105,7 +105,7 @@ def _draw(file, ax, names, label, entries, columns, marks=()):
 
 
 def _missed_free_motion(file):
-    """An entry that tells of a motion without impact, as the closed form of linear springs has it, on which none of the starts ends."""
+    """An entry for the motion without impact, known from the closed form for linear springs, if no start ends on it."""
     ratio, damping, gap = file.positive("frequency_ratio"), file.number("damping_ratio"), file.number("gap_ratio")
     known = ratio is not None and damping is not None and gap is not None and file.computed == 1
     if not known or not edge_of_no_impact(np.float64(ratio), damping) < gap:
@@ -129,14 +129,14 @@ def _legend_entries(counts, entries):
 
 
 def _largest_attractors(table):
-    """Rows of the table with most starts, at most NAMED_ATTRACTORS, in the order of the table."""
+    """Rows of the table with most starts, at most NAMED_ATTRACTORS, in table order."""
     by_size = np.argsort(-table.cells.astype(np.int64), kind="stable")
     return np.sort(by_size[:NAMED_ATTRACTORS])
 
 
 def _attractor_entries(table, named, newtons):
-    """(legend text, colour) of each named attractor: class of z, force with as many digits as tell it from others of the
-    class, and a shade of the class's colour. The force is told over the weight, or in `newtons` of that."""
+    """(legend text, colour) of each named attractor: class of z, force with enough digits to distinguish it within the
+    class, and a shade of the class's colour. The force is given over the weight, or in N if `newtons` (the weight) is known."""
     seen, entries = Counter(), []
     classes = [class_of(table.regime[row], table.impacts[row], table.period[row]) for row in named]
     for row, entry in zip(named, classes):
@@ -163,7 +163,7 @@ def _mixed(colour, weight, towards):
 
 
 def _attractor_points(file, named, entries):
-    """(x/A0, x'/(A0 omega), colour) of each orbit at phase 0; a chaotic attractor is no single point."""
+    """(x/A0, x'/(A0 omega), colour) of each orbit at phase 0; a chaotic attractor is not a single point."""
     frequency_ratio, table = file.positive("frequency_ratio"), file.attractors
     if frequency_ratio is None:
         return []

@@ -1,6 +1,6 @@
-"""The points that two maps, or two basins, have in common, and the cells of both there, band by band.
+"""The common points of two maps, or two basins, and the cells of both at these points, band by band.
 
-Where the grids differ these are the points of the coarser one, along each axis, that coincide with points of the other.
+If the grids differ, these are, along each axis, the points of the coarser grid that coincide with points of the other.
 """
 
 from collections.abc import Iterable, Iterator
@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from ..files.coordinates import Coordinate
 from .map_file import BAND_CELLS, Axis, PeterkaFile, axis_of
 
-SAME_POINT = 1e-9  # of an axis, over its length: less is rounding
+SAME_POINT = 1e-9  # of the length of an axis: smaller differences are rounding
 
 
 class CommonPlane:
-    """kind, rows and columns (Axis), shape, and plain attributes of the first file: what axes are drawn from."""
+    """kind, rows and columns (Axis), shape, and the first file's plain attributes: all that drawing axes needs."""
 
     def __init__(self, first: PeterkaFile, second: PeterkaFile) -> None:
         pairs = [(getattr(first, side), getattr(second, side)) for side in ("rows", "columns")]
@@ -30,13 +30,13 @@ class CommonPlane:
         self.shape = len(self.rows.values), len(self.columns.values)
 
     def positive(self, name: str) -> float | None:
-        """A scale in SI units is only one where it is the same in both files."""
+        """A scale in SI units; None unless it is the same in both files."""
         mine, other = self.first.positive(name), self.second.positive(name)
         return mine if mine == other else None
 
     @property
     def in_words(self) -> str:
-        """How much of each file it is; empty where it is all of both."""
+        """Which part of each file is common; empty if both are common as a whole."""
         if self.shape == self.first.shape == self.second.shape:
             return ""
         shapes = ["{1} by {0}".format(*shape) for shape in (self.shape, self.first.shape, self.second.shape)]
@@ -44,9 +44,9 @@ class CommonPlane:
 
     def bands(self, names: Iterable[str],
               multiple: int = 1) -> Iterator[tuple[int, dict[str, NDArray[Any]], dict[str, NDArray[Any]]]]:
-        """(first row, {name: array} of A, the same of B); all but the last have a number of rows divisible by `multiple`."""
+        """(first row, {name: array} of A, the same of B); all but the last band have a number of rows divisible by `multiple`."""
         cells = max(self.first.shape[1], self.second.shape[1])
-        stride = max(self.first.shape[0], self.second.shape[0]) // self.shape[0] + 1  # rows read for one that is taken
+        stride = max(self.first.shape[0], self.second.shape[0]) // self.shape[0] + 1  # rows read per row used
         rows = multiple * max(1, BAND_CELLS // (cells * stride * multiple))
         for row in range(0, self.shape[0], rows):
             yield row, self._band(0, names, row, row + rows), self._band(1, names, row, row + rows)
@@ -57,11 +57,11 @@ class CommonPlane:
         return {name: values[np.ix_(rows - rows[0], columns)] for name, values in band.items()}
 
     def _shared(self, side: str) -> tuple[Axis, tuple[Any, Any]]:
-        """The Axis of the points that both have, and their indices in the first and the second file: in the unit of both, or as
-        ratios where they have different ones."""
+        """The Axis of the common points, and their indices in the first and
+        the second file: in the common unit, or as ratios if the units differ."""
         axes = getattr(self.first, side), getattr(self.second, side)
         same_unit, shown = axes[0].stored == axes[1].stored, Coordinate(axes[0].name, axes[0].stored, axes[0].unit)
-        if same_unit and axes[0].unit != axes[1].unit:  # the same frequencies of rigs with other natural frequencies
+        if same_unit and axes[0].unit != axes[1].unit:  # the same frequencies for rigs with different natural frequencies
             axes = as_stored(axes[0]), as_stored(axes[1])
             shown = Coordinate(axes[0].name, axes[0].stored)
         coarse, fine = sorted(axes, key=lambda axis: len(axis.values))
@@ -79,12 +79,12 @@ class CommonPlane:
 
 
 def as_stored(axis: Axis) -> Axis:
-    """In the numbers of the file."""
+    """The axis in the file's own numbers."""
     return axis_of(axis.stored, axis.values * axis.unit)
 
 
 def _nearest(fine, coarse):
-    """Index in `fine` of the value nearest to each of `coarse`, both ascending."""
+    """Index in `fine` of the value nearest to each value of `coarse`, both ascending."""
     if len(fine) == 1:
         return np.zeros(len(coarse), dtype=int)
     nearest = np.clip(np.searchsorted(fine, coarse), 1, len(fine) - 1)

@@ -1,7 +1,7 @@
-"""Two files over planes with common points, cell by cell: where regime, z = p/q or peak force differ, as numbers.
+"""Cell-by-cell comparison of two files over planes with common points: differences in regime, z = p/q and peak force.
 
-Forces are told as B's over A's, where both files have the same label and a force that lasts: z = p/q, or sustained
-contact. Chaotic peaks grow with the time observed and say little. Memory: 16 bytes for each such cell.
+Forces are compared as B's over A's if both files have the same label and a lasting force: z = p/q, or sustained contact.
+Peaks in chaos grow with the observation time and are not compared. Memory: 16 bytes per compared cell.
 """
 
 import tomllib
@@ -21,18 +21,18 @@ from ..plotting.classes import class_of
 from .common_plane import CommonPlane
 from .map_file import PeterkaFile
 
-SHARES = (1, 50, 99)  # % of the cells; quantiles of the ratio that are told
-MOST_KEYS = 6  # that differ
+SHARES = (1, 50, 99)  # % of the cells; reported quantiles of the ratio
+MOST_KEYS = 6  # differing keys listed
 NAMES = ("regime", "impacts", "period", "peak_force_ratio")
-UNTOLD = ("title",)  # it is told already
+UNTOLD = ("title",)  # reported elsewhere
 LONGEST_JOB, LONGEST_VALUE = 100_000, 40
-_ORBIT = 8  # codes of a label below it are regimes
+_ORBIT = 8  # label codes below this are regimes
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Of files A and B at their common points. `moves`: cells of each (label in A, label in B) where they differ. `force_ratio` (n,): forces
-    of B over those of A; `place` (row, column) of each in the common plane, (n, 2)."""
+    """Comparison of files A and B at their common points. `moves`: number of cells for each (label in A, label in B) that
+    differ. `force_ratio` (n,): forces of B over those of A; `place` (n, 2): (row, column) of each in the common plane."""
 
     plane: CommonPlane
     cells: int
@@ -44,16 +44,16 @@ class Comparison:
 
     @property
     def scale(self) -> float:
-        """The median of B's forces over A's; 1 where none are compared."""
+        """The median of B's forces over A's; 1 if none are compared."""
         return float(np.median(self.force_ratio)) if len(self.force_ratio) else 1.0
 
     def differences(self, scale: float = 1.0) -> Reals:
-        """Of the forces, over the larger of both, (n,)."""
+        """Relative differences of the forces, over the larger of both, (n,)."""
         return force_difference(self.force_ratio, scale)
 
 
 def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
-    """The Comparison of two open files; PeterkaFileError where they don't lie over the same plane."""
+    """The Comparison of two open files. Raises PeterkaFileError if they do not cover the same plane."""
     plane = CommonPlane(first, second)
     cells = same_regime = same_label = 0
     moves: Counter[tuple[str, str]] = Counter()
@@ -73,30 +73,30 @@ def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
 
 
 def there(band: Mapping[str, NDArray[Any]]) -> Mask:
-    """Which cells of a band are computed, (rows, columns)."""
+    """Mask of the computed cells of a band, (rows, columns)."""
     return band["regime"] != NOT_COMPUTED
 
 
 def label_codes(regime: Integers, impacts: Integers, period: Integers, **_: object) -> Integers:
-    """A number for each label: the regime, or p and q of an orbit. Arrays of one shape."""
+    """A number for each label: the regime, or a code of p and q for an orbit. Arrays of one shape."""
     orbits = _ORBIT + (impacts.astype(np.int64) << 32) + period
     return np.where(regime == PERIODIC, orbits, regime)
 
 
 def has_lasting_force(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> Mask:
-    """Which cells of two bands with the same labels have forces to compare, (rows, columns)."""
+    """Mask of the cells of two bands with equal labels that have comparable forces, (rows, columns)."""
     lasts = (a["regime"] == PERIODIC) | (a["regime"] == SUSTAINED_CONTACT)
     return lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
 
 
 def force_difference(ratio: Reals, scale: float = 1.0) -> Reals:
-    """|B - A| over the larger of both, of B's forces over those of A times `scale`, (n,)."""
+    """|B - A| over the larger of both, from the ratio B/A divided by `scale`, (n,)."""
     ratio = ratio / scale
     return np.abs(ratio - 1) / np.maximum(ratio, 1)
 
 
 def text(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> str:
-    """What is told, some lines."""
+    """The report, as lines."""
     lines = [f"A  {first.path}: {first.title}", f"B  {second.path}: {second.title}",
              *differing_keys(first, second), *filter(None, [comparison.plane.in_words]),
              f"{comparison.cells} cells that both files hold"]
@@ -129,12 +129,12 @@ def _force_lines(comparison):
 
 
 def change(ratio: float) -> str:
-    """+5.0 %, -29.0 %, or a factor where that says more."""
+    """+5.0 %, -29.0 %, or a factor if the ratio is extreme."""
     return f"{100 * (ratio - 1):+.3g} %" if 0.1 < ratio < 10 else f"{ratio:.3g} times"
 
 
 def differing_keys(first: PeterkaFile, second: PeterkaFile) -> list[str]:
-    """A line for each key of the jobs that differs, as both files tell them; none where they don't."""
+    """A line for each key in which the jobs differ, with both values; empty if there is none."""
     jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
     if None in jobs:
         return []
@@ -145,7 +145,7 @@ def differing_keys(first: PeterkaFile, second: PeterkaFile) -> list[str]:
 
 
 def _keys(text):
-    """{table.key: value} of a job's resolved text; None where it is none."""
+    """{table.key: value} of a job's resolved text; None if it is not valid."""
     try:
         return _flat(tomllib.loads(text)) if isinstance(text, str) and len(text) < LONGEST_JOB else None
     except tomllib.TOMLDecodeError:

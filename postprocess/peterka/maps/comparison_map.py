@@ -1,8 +1,7 @@
-"""Where two files differ at the points they have in common: regime, z = p/q, or peak force.
+"""Picture of the differences between two files at their common points: regime, z = p/q, or peak force.
 
-Cells of the same label and a lasting force have the colour of B's force over A's: blue where it is weaker, red where it is
-stronger, white where it is the same. Others have a flat colour. A block of a reduced picture shows the largest difference
-in it.
+Cells with the same label and a lasting force are coloured by B's force over A's: blue if weaker, red if stronger, white if
+equal. Other cells have a flat colour. A block of a reduced picture shows its largest difference.
 """
 
 import numpy as np
@@ -16,7 +15,7 @@ from .map_file import PeterkaFile
 from .reduce import LIMIT, block_size, largest, with_edges
 
 WIDTH = 3.7  # in
-MOST = 99  # % of the cells' differences within the scale
+MOST = 99  # % of the cells' differences lie within the scale
 LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
 FORCE_COLOURS = "RdBu_r"
 SAME, ORBIT, REGIME, MISSING = range(4)
@@ -51,7 +50,7 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
 
 
 def _words(first, second, plane):
-    """Below the title of A: that of B, where it says more, the files, and the keys that differ."""
+    """Below A's title: B's title, if different, the files, and the differing keys."""
     title = [second.title] if second.title != first.title else []
     return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second),
             *filter(None, [plane.in_words])]
@@ -72,7 +71,7 @@ def _draw_ratios(figure, ax, bar_ax, reduced, image, ratio):
 
 
 def _farthest(ratio, block):
-    """Of each block the ratio that is farthest from 1; NaN where it has none."""
+    """For each block, the ratio farthest from 1; NaN where it has none."""
     if block == 1:
         return ratio
     logarithm = np.log(ratio)
@@ -81,7 +80,7 @@ def _farthest(ratio, block):
 
 
 def _kinds(a, b):
-    """A number for each cell, and B's force over A's, NaN where there is nothing to compare."""
+    """A number for each cell, and B's force over A's; NaN where they are not comparable."""
     same = label_codes(**a) == label_codes(**b)
     both = there(a) & there(b)
     forced = both & same & has_lasting_force(a, b)

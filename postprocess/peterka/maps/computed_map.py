@@ -1,4 +1,4 @@
-"""Which cells of a refined map are computed, and which are filled from computed ones around them."""
+"""Shows which cells of a refined map are computed, and which are filled in from computed neighbours."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +17,7 @@ NAMES = ["filled", "computed", "not computed yet"]
 
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """The picture, with both shares in its legend."""
+    """The picture as Axes, with both shares in its legend."""
     reduced, counts = class_picture(file, ["regime", "computed"], _classify, len(NAMES))
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
                for n in (COMPUTED, FILLED, MISSING) if counts[n]]

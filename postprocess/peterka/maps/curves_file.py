@@ -1,5 +1,5 @@
-"""A file of curves, checked before anything in it is believed: the coarse map in which orbits were looked for, as that
-of a map file, the curves over the same plane, and the special points on them.
+"""A checked file of curves: the coarse map in which orbits were searched, as in a map file, the curves over the same plane,
+and the special points on them.
 """
 
 from dataclasses import dataclass
@@ -12,18 +12,18 @@ from .map_file import PeterkaFile
 
 KINDS = ("fold", "period_doubling", "grazing")
 SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
-EDGE_KINDS = (*KINDS, "none", "unknown")  # of edge_kind_*; -128 where a cell has no such orbit
+EDGE_KINDS = (*KINDS, "none", "unknown")  # of edge_kind_*; -128 for a cell without such an orbit
 MAX_POINTS = 10_000_000
 MAX_SAMPLES = 4096  # of an orbit
 WORDS = {kind: kind.replace("_", " ") for kind in KINDS}
-SAME_GAP = 1e-6  # A0: a gap that a curve was asked for, and one of a sweep or a map's row
-RIG = ("hammer", "cart", "contact")  # the tables of a job that a file's curves must share with what they are held against
+SAME_GAP = 1e-6  # A0: tolerance between a gap requested for curves and one of a sweep or of a map's row
+RIG = ("hammer", "cart", "contact")  # job tables that must agree with those of files compared with the curves
 
 
 @dataclass(frozen=True)
 class Curve:
-    """`kind` of KINDS, p and q of the orbit on the stable side, and its points in their order, values (points,) on the
-    axes of the file's columns and rows."""
+    """`kind` from KINDS, p and q of the orbit on the stable side, and the points
+    in order: values (points,) on the axes of the file's columns and rows."""
 
     kind: str
     impacts: int
@@ -34,7 +34,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Special:
-    """`kind` of SPECIALS, and where on the axes of the file's columns and rows."""
+    """`kind` from SPECIALS, and its position on the axes of the file's columns and rows."""
 
     kind: str
     column: float
@@ -43,7 +43,7 @@ class Special:
 
 @dataclass(frozen=True)
 class Crossing:
-    """Where a curve has one of the gaps that its job names."""
+    """A point at which a curve has one of the gaps named by its job."""
 
     curve: Curve
     frequency_ratio: float
@@ -52,8 +52,8 @@ class Crossing:
 
 @dataclass(frozen=True)
 class UnstableBranch:
-    """Unstable orbits p/q along the frequency at one gap, every array (points,): where, their largest force F/(m g), and
-    (points, samples), NaN where there are fewer, x/A0 at forcing phase 0 and at first touch."""
+    """Unstable orbits p/q along the frequency at one gap. Arrays (points,): position and largest force F/(m g); arrays
+    (points, samples), NaN-padded: x/A0 at forcing phase 0 and at first touch."""
 
     gap_ratio: float
     impacts: int
@@ -65,14 +65,13 @@ class UnstableBranch:
 
 
 class CurvesFile(PeterkaFile):
-    """A checked, open file of curves: besides the coarse map `curves`, `specials`, `crossings`, `unstable_branches`, and
-    has_edge_distance. Crossings and branches are those of planes
-    of frequency and gap."""
+    """A checked, open file of curves: the coarse map, `curves`, `specials`, `crossings`, `unstable_branches` and
+    has_edge_distance. Crossings and branches exist only for planes of frequency and gap."""
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
+        """Sets the documented members; raises PeterkaFileError for invalid content."""
         super().check_content()
         self.curves = self._curves() if self.data.has("curve_kind") else []
         self.specials = self._specials() if self.data.has("special_kind") else []
@@ -84,7 +83,7 @@ class CurvesFile(PeterkaFile):
             self.data.dataset(f"edge_kind_{axis.stored}", self.shape, INTEGER)
 
     def along_curves(self, name: str) -> list[Reals]:
-        """Of each curve, the numbers that a dataset has of its points."""
+        """For each curve, the values of a dataset at its points."""
         values = self._column(name, REAL, self.data.dataset("point", None, INTEGER).shape)
         return [values[part] for part in self._parts]
 
@@ -144,12 +143,12 @@ class CurvesFile(PeterkaFile):
                 for gap, p, q, part in zip(gaps, impacts, periods, parts)]
 
     def _frequency_and_gap(self):
-        """The axes that a sweep over the frequency may be held against; None where the plane has others."""
+        """The axes required for comparison with a frequency sweep; None if the plane has others."""
         by_name = {axis.name: axis for axis in (self.columns, self.rows)}
         return (by_name["frequency_ratio"], by_name["gap_ratio"]) if by_name.keys() == {"frequency_ratio", "gap_ratio"} else None
 
     def _along(self, prefix, axis, shape=None):
-        """Places on an axis, in its numbers."""
+        """Positions on an axis, in its units."""
         return self._column(f"{prefix}_{axis.stored}", REAL, shape) / axis.unit
 
     def _samples(self, name, points):

@@ -1,7 +1,7 @@
-"""Where regimes end: the curves of a window, over the coarse map in which they were looked for or alone.
+"""Boundaries of regimes: the curves of a window, over the coarse map in which they were searched or alone.
 
-Folds are solid, period doublings dashed, grazings dotted; letters stand at the special points, once for those that lie
-together. z = p/q, of the orbit on the stable side, is written at the longest curves.
+Folds are solid, period doublings dashed, grazings dotted; letters mark the special points, once for coinciding ones. The
+longest curves are labelled with z = p/q of the orbit on the stable side.
 """
 
 import numpy as np
@@ -27,9 +27,9 @@ LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "pe
 COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
 MOST_NAMES = 24
 APART = 0.06  # of the picture, between two names or letters
-SAME_DOT = 0.012  # of the picture: dots nearer than that would lie over each other
+SAME_DOT = 0.012  # of the picture: dots closer than this would overlap
 TOGETHER = 0.05  # of the picture: special points that share their letters
-ASIDE = 0.028  # of the picture, from a point to its letters
+ASIDE = 0.028  # of the picture, between a point and its letters
 
 
 def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
@@ -38,7 +38,7 @@ def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
 
 
 def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
-    """The same over the coarse map."""
+    """The curves over the coarse map."""
     return _draw(file, ax, over_map=True) if file.curves else None
 
 
@@ -71,7 +71,7 @@ def _look(kind, over_map):
 
 
 def _in_picture(ax, x, y):
-    """(..., 2), 0 to 1, of values on the axes."""
+    """Axes coordinates (..., 2), 0 to 1, of data values."""
     return ax.transAxes.inverted().transform(ax.transData.transform(np.stack([x, y], axis=-1)))
 
 
@@ -81,7 +81,7 @@ def _has_room(place, taken):
 
 
 def _write_names(ax, file):
-    """z = p/q at the middle of the longest curves, where there is room; gives the places in the picture."""
+    """Writes z = p/q at the middle of the longest curves, where space permits; returns the occupied positions."""
     taken = []
     ways = [_in_picture(ax, curve.columns, curve.rows) for curve in file.curves]
     lengths = [float(np.sum(np.hypot(*np.diff(way, axis=0).T))) for way in ways]
@@ -97,10 +97,10 @@ def _write_names(ax, file):
 
 
 def _write_letters(ax, file, taken):
-    """A dot at each special point, and letters, once where several lie together, on the side with the fewest lines."""
+    """Draws a dot at each special point, with letters once per group of close points, on the side with the fewest lines."""
     lines = np.concatenate([_in_picture(ax, curve.columns, curve.rows) for curve in file.curves])
     places = [_in_picture(ax, special.column, special.row) for special in file.specials]
-    dots, groups = [], []  # of a group: its place, and the kinds of its points
+    dots, groups = [], []  # a group: its position, and the kinds of its points
     for special, place in zip(file.specials, places):
         if not _is_near(place, dots, SAME_DOT):
             dots.append(place)

@@ -1,6 +1,6 @@
-"""How far each cell of a curves file is from where its own motion ends or changes, along one axis of the plane.
+"""Distance of each cell of a curves file from the boundary of its own motion, along one axis of the plane.
 
-The size of the drift, whichever way it goes; the file has its sign. A block of a reduced map shows its smallest one.
+The magnitude of the drift in either direction; the file has its sign. A block of a reduced map shows its smallest distance.
 """
 
 import numpy as np
@@ -15,20 +15,20 @@ from .reduce import LIMIT, block_size, class_picture, with_edges
 
 WIDTH = 3.7  # in
 TOP = 99.5  # percentile at which the scale ends
-# Of each axis: its name in words, and from its ratio to Hz or mm.
+# For each axis: its name in words, and the factor from its ratio to Hz or mm.
 SIDES = {
     "frequency_ratio": ("frequency", r"\Omega/\omega", "Hz", lambda file: file.positive("natural_frequency_hz")),
     "gap_ratio": ("gap", "gap/A_0", "mm", lambda file: (file.positive("cart_amplitude_m") or 0) * 1000),
 }
 PICTURES = {**{f"edge_distance_{word}": side for side, (word, *_) in SIDES.items()},
-            "edge_distance_columns": "columns", "edge_distance_rows": "rows"}  # the latter of axes that are none of SIDES
+            "edge_distance_columns": "columns", "edge_distance_rows": "rows"}  # "columns" and "rows" for axes not in SIDES
 CLASSES = [("an edge within the window", "#FFFFFF"), ("no edge within the window", "#CDE7C9"),
            ("could not be followed to one", "#F7C6D0"), ("chaotic, unresolved, or beyond max_period", "#F2F2F2")]
 
 
 @picture(CurvesFile)
 def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
-    """The picture along an axis, named by its coordinate, or as columns or rows; None where no cell has an edge."""
+    """The picture along an axis, given by its coordinate's name, or as "columns" or "rows"; None if no cell has an edge."""
     axis = next(axis for place, axis in (("columns", file.columns), ("rows", file.rows)) if side in (place, axis.name))
     side = axis.name
     reduced = _smallest(file, axis)
@@ -51,7 +51,7 @@ def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
 
 
 def has(file: CurvesFile, side: str) -> bool:
-    """Whether the file tells of it along an axis, named as that of draw."""
+    """Whether the file has distances along an axis, named as in draw."""
     names = (file.columns.name, file.rows.name)
     if side in SIDES:
         return file.has_edge_distance and side in names
@@ -59,7 +59,7 @@ def has(file: CurvesFile, side: str) -> bool:
 
 
 def _scale(file, side):
-    """Factor from the numbers of the file, and the words of the scale."""
+    """The factor from stored numbers, and the label of the scale."""
     if side not in SIDES:
         return 1.0, f"drift to the nearest edge: {label(side)}"
     word, ratio, unit, factor_of = SIDES[side]
@@ -68,7 +68,7 @@ def _scale(file, side):
 
 
 def _class_of(kind):
-    """Numbers of CLASSES."""
+    """Indices into CLASSES."""
     return np.select([(kind >= 0) & (kind < EDGE_KINDS.index("none")), kind == EDGE_KINDS.index("none"),
                       kind == EDGE_KINDS.index("unknown")], [0, 1, 2], 3)
 

@@ -1,8 +1,8 @@
-"""A number per cell over the plane of a map: how force_map and quantity_map draw.
+"""Draws a number per cell over the plane of a map: shared by force_map, quantity_map and number_map.
 
-Values have a colour of the scale from 0 up; the largest of all cells of a map is marked with its value, which may grow on
-beyond the border where it lies there. Cells without a value keep colours that the scale hasn't: those of their class where the picture tells it apart, else two pale ones.
-Cells of a reduced map show the largest value in their block.
+Values are coloured on a scale from 0; the largest value of all cells of a map is marked, and may grow beyond the border if
+it lies there. Cells without a value have colours outside the scale: those of their class if the picture distinguishes it,
+else two pale ones. Cells of a reduced map show the largest value in their block.
 """
 
 from collections.abc import Callable
@@ -26,19 +26,19 @@ from .reduce import class_picture, field_picture
 WIDTH = 3.7  # in
 COLOURS = "viridis"
 OTHER_COLOUR = "#F2F2F2"
-NO_VALUE_COLOUR = "#F7C6D0"  # of cells that should have a value and haven't: no stop's force where it is rigid, say
-LOW_SHARE = 2  # percentile at which a scale that doesn't begin at 0 begins: exponents of strong orbits go far below
-TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile where single cells exceed it by this factor
+NO_VALUE_COLOUR = "#F7C6D0"  # cells whose value is missing, e.g. no contact force for a rigid stop
+LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of strongly stable orbits are very negative
+TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
 GREY_SCALE = (95, 8)  # lightness of the smallest and the largest value in the grey palette
-# Areas without a value are hatched there: the scale has all lightnesses for itself.
+# Areas without a value are hatched in it: the scale uses all lightnesses.
 GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
 WITHOUT_IMPACTS = ("no impact", "sustained contact", "unresolved", "failed")
 
 
 @dataclass(frozen=True)
 class Scale:
-    """`label` of the colour bar; `factor` from the stored numbers to those on it; the `text` of a stored number; and a
-    second scale (label, factor from the stored numbers) where there is one."""
+    """`label` of the colour bar; `factor` from stored to displayed numbers; `text` formats a stored number; and an optional
+    second scale (label, factor from stored numbers)."""
 
     label: str
     factor: float
@@ -48,23 +48,23 @@ class Scale:
 
 @dataclass(frozen=True)
 class Field:
-    """What to draw: the dataset, the cells that carry it by their (regime, p, q), the classes told apart, and the
-    Scale for a largest value."""
+    """What to draw: the dataset, a predicate on (regime, p, q) for the cells that carry it, the distinguished classes, and
+    the Scale for a largest value."""
 
     dataset: str
     carries: Callable
     apart: tuple[str, ...]
     scale: Callable[[float], Scale]
-    from_zero: bool = True  # the scale begins at 0; else at the smallest value
+    from_zero: bool = True  # the scale begins at 0; otherwise at the smallest value
 
 
 def has_impacts(regime: Integers, *_: object) -> Mask:
-    """Cells of verified orbits with impacts, chaos among them."""
+    """Mask of the cells of verified orbits with impacts, and of chaos."""
     return (regime == PERIODIC) | (regime == CHAOTIC)
 
 
 def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
-    """The map of a Field, and of a force what was measured of it; None where no cell has a value."""
+    """The map of a Field and, for a force, the measured points; None if no cell has a value."""
     values, peak, lacking = field_picture(file, field.dataset, field.carries)
     if peak is None:
         return None
@@ -104,7 +104,7 @@ def _no_value_colour():
 
 
 def _legend_entries(counts, carried, apart, lacking):
-    """Legend entries of the cells without a colour of the scale."""
+    """Legend entries of the cells coloured outside the scale."""
     found = [(entry, carries) for entry, carries, count in zip(CLASSES, carried, counts) if count]
     entries = [axes.legend_patch(entry.label, _apart_colour(entry)) for entry, _ in found if entry.label in apart]
     if not apart and any(not carries and entry.label != "not computed yet" for entry, carries in found):
@@ -117,19 +117,19 @@ def _legend_entries(counts, carried, apart, lacking):
 
 
 def scale_colours() -> ListedColormap | str:
-    """The colours of a scale of values, from low to high."""
+    """The colour map of a scale of values, from low to high."""
     return ListedColormap([grey(light) for light in np.linspace(*GREY_SCALE, 256)]) if style.is_grey() else COLOURS
 
 
 def _in_units(scale):
-    """In SI alone or in ratios alone, where that is asked for."""
+    """The scale in SI units alone or in ratios alone, if requested."""
     if scale.second is None or style.current().units == "both":
         return scale
     return replace(scale, second=None) if style.current().units == "ratio" else Scale(*scale.second, scale.text)
 
 
 def _norm(shown, peak, from_zero):
-    """Of the values on the scale, as it shows them."""
+    """Limits of the displayed values."""
     positive = shown[shown > 0]
     logarithmic = style.current().log and positive.count() > 0
     low, high = style.current().limits or (None, None)
@@ -162,7 +162,7 @@ def _draw_bar(figure, bar_ax, mesh, scale, beyond):
 
 
 def _mark(ax, peak, text):
-    """A cross at the largest value, its text beside it."""
+    """Draws a cross at the largest value, with its text beside it."""
     ax.plot(
         peak.column_value, peak.row_value, marker="x", markersize=5, markeredgewidth=1.2, color="black", clip_on=False,
         path_effects=axes.outline(2.4), zorder=6,

@@ -1,7 +1,7 @@
 """Peak impact force over the plane of a map: of z = 1/1 alone (the paper's Fig. 23), and of all impacts.
 
-Force is F/(m g), with a second scale in newtons where the file knows the hammer's mass. A rigid stop gives impacts
-without a force; where no cell has one there is no picture.
+Forces are F/(m g), with a second scale in newtons if the file gives the hammer's mass. A rigid stop yields impacts without a
+force; if no cell has a force there is no picture.
 """
 
 from matplotlib.axes import Axes
@@ -17,14 +17,14 @@ from .map_file import PeterkaFile
 
 @picture(PeterkaFile)
 def draw_single_impact(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
-    """Force where one impact comes in each forcing cycle; None where no cell has one."""
+    """Force for one impact per forcing cycle, z = 1/1, as Axes; None if no cell has one."""
     carries = lambda regime, p, q: (regime == PERIODIC) & (p == 1) & (q == 1)  # noqa: E731
     return _draw(file, ax, carries, "$z = 1/1$", (), measured)
 
 
 @picture(PeterkaFile)
 def draw_all_impacts(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
-    """Force of every verified orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
+    """Force of every verified orbit with impacts, and of chaos over its observation window, as Axes; None if no cell has one."""
     return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS, measured)
 
 

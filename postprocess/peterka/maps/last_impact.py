@@ -1,6 +1,6 @@
-"""After how many forcing cycles the last impact came, where impacts end (the paper's Fig. 24b is such a place).
+"""The number of forcing cycles until the last impact, where impacts end (an example is the paper's Fig. 24b).
 
-Light is early, dark is late; where impacts go on for ever, or are undecided, a cell has the colour of neither.
+Light is early, dark is late; cells whose impacts continue or are undecided have other colours.
 """
 
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
-ENDS = (0, 30, 100, 300, 1000, 3000, 10000)  # forcing cycles: a class holds those after the one before
+ENDS = (0, 30, 100, 300, 1000, 3000, 10000)  # forcing cycles: each class ends at its value
 SHADES = ["#F2F2F2", "#FDE9A9", "#F6B95A", "#E37F3A", "#B8433F", "#7A1F4E", "#3D0F4A", "#140A26"]
 GOES_ON, UNDECIDED, MISSING = (len(SHADES) + n for n in range(3))
 COLOURS = [*SHADES, "#0072B2", "#C04DF7", "#FFFFFF"]
@@ -26,10 +26,10 @@ NAMES = ["none at all", *(f"{low + 1} to {high}" for low, high in zip(ENDS, ENDS
 
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """The picture, with the share of each class."""
+    """The picture as Axes, with the share of each class."""
     reduced, counts = class_picture(file, ["regime", "last_impact"], _classify, len(NAMES))
     colours: Sequence[str | Fill] = COLOURS
-    if style.is_grey():  # apart from the scale of lightness
+    if style.is_grey():  # distinct from the scale of lightness
         colours = [*SHADES, Fill(grey(70), "//"), Fill(grey(100), "xx"), COLOURS[MISSING]]
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", colours[n], n == MISSING)
                for n in np.flatnonzero(counts)]

@@ -1,4 +1,4 @@
-"""A map or basin file, checked before anything in it is believed and read in bands of rows, never as a whole.
+"""A checked map or basin file, read in bands of rows, never as a whole.
 
 Layout versions 2 and 3: two coordinate vectors and the data on [rows][columns],
     map    rows gap_ratio,      columns frequency_ratio, unless the axes of its job are others
@@ -31,7 +31,7 @@ from .tables import Attractors, read_attractors, read_audit
 __all__ = ["Attractors", "Axis", "PeterkaFileError", "PeterkaFile", "QUANTITIES"]
 
 COORDINATES = {"map": ("gap_ratio", "frequency_ratio"), "basin": ("velocity_ratio", "displacement_ratio")}
-# Optional datasets and the ways to write their unit; the first one is shown.
+# Optional datasets and the accepted spellings of their unit; the first one is displayed.
 QUANTITIES = {
     "impact_speed": ("m/s", "m s-1"),
     "impulse": ("N s", "N*s", "Ns"),
@@ -42,22 +42,21 @@ QUANTITIES = {
 UNITS = {spellings[0] for spellings in QUANTITIES.values()} | {"N", "J"}
 PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity", "peak_force_mean_ratio",
                 "peak_force_q95_ratio")
-# Of a map with [starts], on [attractor][gap_ratio][frequency_ratio].
+# In a map with [starts], on [attractor][gap_ratio][frequency_ratio].
 SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
          "attractor_peak_force_ratio": REAL, "basin_share": REAL}
-# On request: of its attractors, or of the cells of a map without [starts].
+# Optional: for the attractors, or for the cells of a map without [starts].
 KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
 MAX_SLOTS = 64
-MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
+MAX_POINTS = 65536  # along one axis: a band of rows then still fits into some tens of megabytes
 BAND_CELLS = 2**21
 
 
 @dataclass(frozen=True)
 class Axis:
-    """Ratios along one side: cell centres `values` (n,), ascending, and cell borders `edges` (n+1,).
+    """Ratios along one side: cell centres `values` (n,), ascending, and cell edges `edges` (n+1,).
 
-    `log`: the centres are evenly spaced in the logarithm. `stored` is the name in the file, whose numbers are `unit` times
-    these."""
+    `log`: the centres are evenly spaced in the logarithm. `stored` is the name in the file, whose numbers are `unit` times the ratios."""
 
     name: str
     values: np.ndarray
@@ -73,7 +72,7 @@ class PeterkaFile(OpenedFile):
     audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
     of the cell."""
 
-    coordinates = COORDINATES  # of each kind that this class reads
+    coordinates = COORDINATES  # for each kind that this class reads
 
     @cached_property
     def computed(self) -> float:
@@ -83,33 +82,33 @@ class PeterkaFile(OpenedFile):
 
     @cached_property
     def observed_chaos(self) -> tuple[int, int] | None:
-        """The fewest and the most forcing cycles for which chaotic cells were followed; None without such cells."""
+        """The fewest and the most forcing cycles for which chaotic cells were observed; None without such cells."""
         if not self._has_observed_cycles:
             return None
         followed = [band["observed_cycles"][band["regime"] == CHAOTIC]
                     for _, band in self.bands(["regime", "observed_cycles"])]
-        cycles = np.concatenate([cells[cells > 0] for cells in followed])  # filled ones were not followed
+        cycles = np.concatenate([cells[cells > 0] for cells in followed])  # filled cells were not observed
         return (int(cycles.min()), int(cycles.max())) if cycles.size else None
 
     def bands(self, names: Iterable[str], multiple: int = 1) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
         """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names; those of SLOTS
         are (slots, rows, columns).
 
-        All bands but the last one have a number of rows divisible by `multiple`. Values are checked on the way."""
+        All bands but the last have a number of rows divisible by `multiple`. Values are checked as they are read."""
         slots = max(1, self.slots) if any(map(self._is_stacked, names)) else 1
         rows = multiple * max(1, BAND_CELLS // (slots * self.shape[1] * multiple))
         for first in range(0, self.shape[0], rows):
             yield first, self.band(names, first, first + rows)
 
     def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]:
-        """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; checked."""
+        """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; values are checked."""
         rows = slice(first, last)
         band = {name: self.data.values(name, (slice(None), rows) if self._is_stacked(name) else rows) for name in names}
         self._check_values(band)
         return band
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
+        """Sets the documented members; raises PeterkaFileError for invalid content."""
         if self.kind not in self.coordinates:
             raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(self.coordinates)} file is needed")
         self.rows, self.columns = (self._axis(name) for name in self._coordinates())
@@ -170,21 +169,21 @@ class PeterkaFile(OpenedFile):
             raise self.refusal(f"has {name} in {shown(unit)} instead of {QUANTITIES[name][0]}")
 
     def _is_quantity(self, name: str) -> bool:
-        """Whether it is a number on the plane in a unit of UNITS: what later versions store is drawn, too."""
+        """Whether a dataset is a number on the plane with a unit from UNITS: datasets of later versions are drawn, too."""
         try:
             self.data.dataset(name, self.shape, REAL)
         except PeterkaFileError:
             return False
         if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
-            return False  # it names a picture's file
+            return False  # it becomes a part of a picture's file name
         return self.data.attribute("units", name) in UNITS
 
     def unit(self, name: str) -> str:
-        """Of one of the quantities."""
+        """The unit of one of the quantities."""
         return QUANTITIES[name][0] if name in QUANTITIES else str(self.data.attribute("units", name))
 
     def words(self, name: str) -> str:
-        """What the file says that one of the quantities is."""
+        """The file's description of one of the quantities."""
         said = self.data.attribute("long_name", name)
         return harmless(said, None) if isinstance(said, str) else name
 
@@ -203,7 +202,7 @@ class PeterkaFile(OpenedFile):
                 raise self.refusal(f"has a {name} that is neither 0 nor 1")
 
     def _axis(self, name: str) -> Axis:
-        """Of a coordinate that is stored."""
+        """The Axis of a stored coordinate."""
         shape = self.data.dataset(name, None, INTEGER + REAL).shape
         if shape == () and self.data.may_be_part:
             value = float(self.data.values(name, ()))
@@ -219,17 +218,16 @@ class PeterkaFile(OpenedFile):
 
 
 def axis_of(name: str, values: Reals, stored: Coordinate | None = None) -> Axis:
-    """The Axis with these ascending values; they are the stored ones where nothing else is said."""
+    """The Axis with these ascending values, which are the stored ones unless `stored` is given."""
     log = _evenly_spaced_in_log(values)
     edges = np.exp(_edges(np.log(values))) if log else _edges(values)
     if name in ("frequency_ratio", "frequency_hz") and values[0] >= 0:
-        edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
+        edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where frequencies do not exist
     return Axis(name, values, edges, log, *(name, 1.0) if stored is None else (stored.stored, stored.unit))
 
 
 def _edges(centres: Reals) -> Reals:
-    """Borders (n+1,) half-way between the centres (n,); the outer ones as far out as their inner neighbours. A single
-    cell is a tenth of its value wide, or 1."""
+    """Edges (n+1,) half-way between the centres (n,); the outer cells are symmetric. A single cell is a tenth of its value wide, or 1."""
     if len(centres) == 1:
         half = abs(centres[0]) / 20 or 0.5
         return np.array([centres[0] - half, centres[0] + half])

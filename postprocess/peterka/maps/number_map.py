@@ -1,8 +1,8 @@
-"""Numbers without a unit over the plane of a map: how stable the motion is, where its orbit is, and forces of each cycle.
+"""Dimensionless numbers over the plane of a map: stability of the motion, position of its orbit, and forces of each cycle.
 
-Multipliers and stroboscopic points are those of orbits, Lyapunov exponents and growths of errors those of every motion
-that was followed; forces of each cycle are drawn where impacts go on. In chaos the largest force of all grows with
-the time observed, the mean and the 95 % quantile of the cycles' largest ones don't.
+Multipliers and stroboscopic points exist for orbits, Lyapunov exponents and error growths for every motion that was
+followed; forces of each cycle are drawn where impacts continue. In chaos the overall largest force grows with the
+observation time, whereas the mean and the 95 % quantile of the cycles' largest forces do not.
 """
 
 from collections.abc import Callable
@@ -28,8 +28,8 @@ def _followed(regime, *_):
 
 @dataclass(frozen=True)
 class Number:
-    """What a field is called on its scale, the cells that have it, the classes told apart from those, whether its scale
-    begins at 0, and whether it is a force over the hammer's weight."""
+    """The field's name on its scale, the cells that carry it, the distinguished classes, whether its scale begins at 0, and
+    whether it is a force over the hammer's weight."""
 
     label: str
     carries: Callable
@@ -52,7 +52,7 @@ NUMBERS = {
 
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
-    """The picture of one of NUMBERS that the file has, over its plane (rows, columns); None where no cell has a value."""
+    """The picture of one of NUMBERS that the file has, as Axes over its plane; None if no cell has a value."""
     number = NUMBERS[name]
     field = Field(name, number.carries, number.apart, lambda largest: _scale(file, number, largest), number.from_zero)
     return field_map.draw(file, field, ax)

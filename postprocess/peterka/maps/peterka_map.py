@@ -1,11 +1,11 @@
 """The Peterka map: the class of z = p/q over Omega/omega and gap/A0 (the paper's Fig. 22), or over any other axes.
 
-Along the dashed line the free swing of the hammer grazes the stop in its steady state, gap/A0 = P: the amplitude P of the
-free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
-stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio, over other axes the job.
+On the dashed line the hammer's free swing grazes the stop in steady state, gap/A0 = P, where P is the amplitude of the free
+hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it every orbit has impacts;
+above it impacting orbits may persist. It needs the root attribute damping_ratio, over other axes the job.
 
-White dots lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in rest and
-counts as one impact. Dots, since lines across a class look like stripes of another one.
+White dots mark cells with chatter: on a rigid stop, an infinite sequence of ever smaller impacts that ends in sticking and
+counts as one impact. Dots are used because lines across a class look like stripes of another class.
 """
 
 import numpy as np
@@ -35,7 +35,7 @@ EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path
 
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes:
-    """The map of a map file with the share of each class in its legend, and points that were measured."""
+    """The map of a map file, as Axes, with the share of each class in its legend, and measured points."""
     reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
     orbits, regimes = legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
@@ -67,8 +67,8 @@ def _names_to_write(counts):
 
 
 def legend_entries(counts: Integers, observed_chaos: tuple[int, int] | None) -> tuple[list[Patch], list[Patch]]:
-    """Returns legend entries of the classes that occur: those of an orbit p/q, and the others. `counts` are the cells of each
-    class; chaos speaks of the cycles for which it was observed, (fewest, most) or None."""
+    """Legend entries of the classes that occur: orbits p/q, and the others. `counts`: cells of each class; the entry for
+    chaos states the observed cycles, (fewest, most) or None."""
     orbits: list[Patch] = []
     regimes: list[Patch] = []
     for n in np.flatnonzero(counts):
@@ -83,7 +83,7 @@ def legend_entries(counts: Integers, observed_chaos: tuple[int, int] | None) -> 
 
 
 def _chatter(file):
-    """Where cells chatter, reduced, and its entries of the legend; (None, []) without such cells."""
+    """Reduced mask of the cells with chatter, and its legend entries; (None, []) without such cells."""
     if not file.has_chatter:
         return None, []
     reduced, counts = class_picture(file, ["regime", "chatter"], lambda _, chatter: chatter == 1, 2)
@@ -94,7 +94,7 @@ def _chatter(file):
 
 
 def _dots(reduced):
-    """(x, y) of a dot for each block of the plane with such a cell: at the cell that is nearest to the block's middle."""
+    """(x, y) of one dot per block of the plane with such a cell: at the cell nearest to the block's centre."""
     shape = np.array(reduced.image.shape)
     cells = np.argwhere(reduced.image != 0)
     blocks = (cells * DOTS) // shape
@@ -107,7 +107,7 @@ def _dots(reduced):
 
 
 def _edge_of_no_impact(file):
-    """The line in coordinates of the axes, as arrays (n, 2); [] where there is none, or the file doesn't tell."""
+    """The line in axes coordinates, as arrays (n, 2); [] if there is none, or the file lacks the required numbers."""
     across, up = file.columns, file.rows
     if (across.name, up.name) == ("frequency_ratio", "gap_ratio"):
         damping_ratio = file.number("damping_ratio")
@@ -115,7 +115,7 @@ def _edge_of_no_impact(file):
             return []
         ratio = _along(across, LINE_POINTS)
         edge = edge_of_no_impact(ratio, damping_ratio)
-        # Far above the picture the line has nothing to show, and its peak of 1/(2 zeta) would only be in the way.
+        # Far above the picture the line is irrelevant, and its peak of 1/(2 zeta) would disturb the scale.
         return [np.column_stack([ratio, np.where(edge <= 2 * up.edges[-1], edge, np.nan)])]
     x, y = _along(across, CONTOUR_POINTS), _along(up, CONTOUR_POINTS)
     try:

@@ -1,8 +1,8 @@
-"""Other numbers of the steady state over the plane of a map, where the file holds them.
+"""Other steady-state quantities over the plane of a map, if the file has them.
 
-TITLES has short words for some; of the others the file's own are shown, and its unit.
+TITLES has short names for some; for others the file's own description and unit are used.
 
-Those of impacts are drawn where impacts go on; the largest displacement in every cell whose regime is known.
+Quantities of impacts are drawn where impacts continue; the largest displacement in every cell of known regime.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,7 @@ TITLES = {
 
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
-    """The picture of one of file.quantities; None where no cell has a value."""
+    """The picture of one of file.quantities, as Axes; None if no cell has a value."""
     carries: Callable = field_map.has_impacts
     apart: tuple[str, ...] = WITHOUT_IMPACTS
     if name == "max_displacement":

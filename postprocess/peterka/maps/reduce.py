@@ -1,9 +1,9 @@
-"""Brings a map of any size down to a picture of at most LIMIT cells along each axis, one band of rows at a time.
+"""Reduces a map of any size to a picture of at most LIMIT cells along each axis, one band of rows at a time.
 
-A map within LIMIT is taken cell by cell. A larger one is cut into square blocks of `block` x `block` cells (the last
-ones smaller): a block gets the class that most of its cells have; in a tie, the class that stands first in the table.
-Class numbers are never averaged. A block of a field gets the largest value in it. Shares and the largest value are
-always taken from all cells. Memory: one band and the picture, whatever the size of the map.
+A map within LIMIT is kept cell by cell. A larger one is divided into square blocks of `block` x `block` cells (smaller at
+the end): a block gets its most frequent class, in a tie the first in the table. Class numbers are never averaged. A block of
+a field gets its largest value. Shares and the largest value are always taken over all cells. Memory: one band and the
+picture, whatever the size of the map.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,7 +23,7 @@ LIMIT = 2000
 @dataclass(frozen=True)
 class Reduced:
     """`image` (rows, columns) of the picture; `row_edges` and `column_edges`, one longer, in the units of the axes; `log`:
-    whether rows and columns are spaced in the logarithm."""
+    whether rows and columns are logarithmically spaced."""
 
     image: np.ndarray
     row_edges: np.ndarray
@@ -33,7 +33,7 @@ class Reduced:
 
 @dataclass(frozen=True)
 class Largest:
-    """The largest value of a field and the cell centre where it is."""
+    """The largest value of a field and the centre of its cell."""
 
     value: float
     row_value: float
@@ -42,12 +42,12 @@ class Largest:
 
 
 def block_size(shape: tuple[int, ...], limit: int = LIMIT) -> int:
-    """Cells along a side of a block, so that no side of (rows, columns) has more blocks than the limit."""
+    """Side of a block in cells, chosen so that neither side of (rows, columns) has more blocks than the limit."""
     return max(1, -(-max(shape) // limit))
 
 
 def majority(labels: Integers, block: int, class_count: int) -> NDArray[np.uint8]:
-    """Most frequent label of each block: (rows, columns) numbers below class_count to (ceil(rows/block), ...)."""
+    """Most frequent label of each block: (rows, columns) of numbers below class_count to (ceil(rows/block), ...)."""
     if block == 1:
         return labels.astype(np.uint8)
     rows, columns = (-(-size // block) for size in labels.shape)
@@ -80,7 +80,7 @@ def class_picture(file: PeterkaFile, names: Sequence[str], classify: Callable, c
 
 def orbit_picture(file: PeterkaFile, names: Sequence[str], classify: Callable = classes.classify,
                   limit: int = LIMIT) -> tuple[Reduced, NDArray[np.int64]]:
-    """As class_picture, of look.classes.CLASSES; the p/q that are rarer than those that can be named are "other p/q"."""
+    """As class_picture, of plotting.classes.CLASSES; the p/q that are rarer than those that can be named are "other p/q"."""
     reduced, counts = class_picture(file, names, classify, len(classes.CLASSES), limit)
     shown = classes.named(counts)
     together = np.bincount(shown, weights=counts, minlength=len(shown)).astype(np.int64)
@@ -89,7 +89,7 @@ def orbit_picture(file: PeterkaFile, names: Sequence[str], classify: Callable = 
 
 def field_picture(file: PeterkaFile, name: str, carries: Callable,
                   limit: int = LIMIT) -> tuple[Reduced, Largest | None, int]:
-    """The field `name` of the cells that carry it, reduced, NaN elsewhere; its Largest, None without any value; and the
+    """The field `name` of the cells that carry it, reduced, NaN elsewhere; its Largest, or None without any value; and the
     number of cells that should carry it but have no finite value.
 
     `carries` takes regime, impacts and period of a band and returns a mask of its shape."""

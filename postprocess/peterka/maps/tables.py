@@ -1,4 +1,4 @@
-"""Tables that a map file may carry beside its cells, checked like the rest: attractors of a basin, audited cells."""
+"""Checked tables that a map file may contain besides its cells: attractors of a basin, audited cells."""
 
 from dataclasses import dataclass
 
@@ -20,22 +20,22 @@ class Attractors:
     period: np.ndarray
     peak_force_ratio: np.ndarray  # F/(m g)
     orbit_displacement: np.ndarray  # (x - y)/A0 at forcing phase 0
-    orbit_velocity: np.ndarray  # (x' - y')/(A0 omega) there
+    orbit_velocity: np.ndarray  # (x' - y')/(A0 omega) at forcing phase 0
     cells: np.ndarray
 
     @property
     def count(self) -> int:
-        """Of the attractors."""
+        """Number of attractors."""
         return len(self.regime)
 
 
 @dataclass(frozen=True)
 class Audit:
-    """Cells of a map that an independent engine solved again; every member has shape (count,)."""
+    """Cells of a map solved again by an independent engine; every member has shape (count,)."""
 
     row: np.ndarray
     column: np.ndarray
-    regime: np.ndarray  # these three: what the audit found
+    regime: np.ndarray  # these three: result of the audit
     impacts: np.ndarray
     period: np.ndarray
     force_error: np.ndarray  # of the map's peak force relative to the audit's; NaN where not comparable
@@ -43,7 +43,7 @@ class Audit:
 
     @property
     def count(self) -> int:
-        """Of the cells that were solved again."""
+        """Number of audited cells."""
         return len(self.row)
 
 
@@ -61,8 +61,8 @@ def read_attractors(data: Content, shape: tuple[int, ...]) -> Attractors:
 
 
 def read_audit(data: Content, shape: tuple[int, ...]) -> Audit | None:
-    """The Audit of a map with cells of this shape, without samples that are not solved yet; None without one, and of
-    a part of a map, whose cells have other numbers."""
+    """The Audit of a map with cells of this shape, without samples not yet solved; None without an audit, and for a part of
+    a map, whose cell numbers differ."""
     if not data.has("audit"):
         return None
     capacity = data.dataset("audit/cell", None, INTEGER).shape

@@ -1,2 +1,1 @@
-"""What somebody measured: points from a CSV file (points), how they look over pictures (marks), and how far a map is from
-them (map_residuals)."""
+"""Measured data: points from a CSV file (points), their marks over pictures (marks), and their residuals against a map (map_residuals)."""

@@ -1,4 +1,4 @@
-"""How far measured forces are from a map: each from every motion that the cells around its point know, as a table."""
+"""Residuals of measured forces against a map: each point against every motion known in the surrounding cells, as a table."""
 
 from collections.abc import Iterable
 from typing import Any, Protocol
@@ -17,7 +17,7 @@ SLOTS = ("attractor_regime", "attractor_impacts", "attractor_period", "attractor
 
 
 class Map(Plane, Protocol):
-    """A map, whose cells are read in bands of rows; with so many slots for the attractors of a cell."""
+    """A map, read in bands of rows; `slots`: number of attractors stored per cell."""
 
     @property
     def newtons(self) -> float | None: ...
@@ -29,12 +29,12 @@ class Map(Plane, Protocol):
 
 
 def residuals(file: Map, points: Iterable[Point]) -> list[list[Match]]:
-    """[Match] of each point with a force, in their order."""
+    """The [Match] of each point with a force, in their order."""
     return [matches(point, _places(file, point), _beyond(file, point)) for point in points if point.force is not None]
 
 
 def table(file: Map, found: list[list[Match]]) -> list[str]:
-    """Lines; in Hz, mm and N where the file tells the rig."""
+    """The table as lines; in Hz, mm and N if the file gives the rig."""
     along = file.rows.name, file.columns.name
     metres = 1.0 if "gap_m" in along else file.positive("cart_amplitude_m")
     return tables.table([each for each in found if each], tables.Units(
@@ -42,7 +42,7 @@ def table(file: Map, found: list[list[Match]]) -> list[str]:
 
 
 def _places(file, point):
-    """The cells between whose middles a point lies: four, or fewer at the border or on a line of middles."""
+    """The cells between whose centres a point lies: four, or fewer at the border or on a line through centres."""
     places = []
     for row, upward in around(file.rows.values, _along(point, file.rows)):
         band = file.band([*CELL, *(["start_attractor", *SLOTS] if file.slots else [])], row, row + 1)
@@ -54,7 +54,7 @@ def _places(file, point):
 
 
 def _beyond(file, point):
-    """How far a point lies outside the outermost middles, (frequency, gap)."""
+    """Distance of a point beyond the outermost cell centres, (frequency, gap)."""
     away = {AXES[axis.name]: distance(_along(point, axis), np.clip(_along(point, axis), *axis.values[[0, -1]]))
             for axis in (file.rows, file.columns)}
     return away["frequency"], away["gap"]
@@ -65,8 +65,8 @@ def _along(point, axis):
 
 
 def known_of_cell(cell: dict[str, Any]) -> list[Known]:
-    """What a cell, {dataset: its number, or one of each slot}, knows: all of its attractors, and its own motion where that is none
-    of them."""
+    """All motions known to a cell, {dataset: its number, or one per
+    slot}: its attractors, and its own motion if that is not among them."""
     found = []
     if "start_attractor" not in cell or cell["start_attractor"] < 0:
         regime, impacts, period, force = (cell[name] for name in CELL)
@@ -78,7 +78,7 @@ def known_of_cell(cell: dict[str, Any]) -> list[Known]:
 
 
 def known(regime: int, impacts: int, period: int, force: float, share: float | None = None) -> Known | None:
-    """A motion of a file; None where there is none, or none with a force."""
+    """A motion of a file; None if there is none, or none with a force."""
     force = 0.0 if regime == NO_IMPACT else float(force)
     if regime == NOT_COMPUTED or not np.isfinite(force):
         return None

@@ -1,5 +1,5 @@
-"""How measured points look over pictures: a mark for each series, told apart without colour, with bars for standard errors.
-Over a map of forces a mark has the colour of the force that was measured."""
+"""Marks of measured points over pictures: one per series, distinguishable without colour, with bars for standard errors.
+Over a map of forces a mark has the colour of the measured force."""
 
 from collections.abc import Sequence, Callable
 from typing import Any
@@ -21,12 +21,12 @@ NAMELESS = "measured"
 
 
 def handles(points: Sequence[Point]) -> list[Line2D]:
-    """Entries of a legend: each series once."""
+    """Legend entries: one per series."""
     return [Line2D([], [], label=name or NAMELESS, **look) for name, look in looks(points).items()]
 
 
 def looks(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """{series: properties of its mark}, in the order in which they come."""
+    """{series: properties of its mark}, in order of occurrence."""
     names = list(dict.fromkeys(point.series for point in points))
     return {name: EDGE | {"marker": SHAPES[number % len(SHAPES)], "markerfacecolor": FACES[number // len(SHAPES)]}
             for number, name in enumerate(names)}
@@ -34,10 +34,10 @@ def looks(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
 
 def draw(ax: Axes, points: Sequence[Point], quantities: Sequence[str], everyone: Sequence[Point] | None = None,
          zorder: float = 6.0) -> None:
-    """Marks of `points` at two of their quantities, across and up; `everyone`: of whose series the looks are."""
+    """Marks of `points` at two of their quantities, horizontal and vertical; `everyone`: all points that determine the marks' looks."""
     for name, look in looks(everyone or points).items():
         own = [point for point in points if point.series == name]
-        if not own:  # matplotlib can't lay out an empty line
+        if not own:  # matplotlib cannot lay out an empty line
             continue
         x, y = ([getattr(point, quantity) for point in own] for quantity in quantities)
         errors = [[point.errors.get(quantity, 0.0) for point in own] for quantity in quantities]
@@ -48,7 +48,7 @@ def draw(ax: Axes, points: Sequence[Point], quantities: Sequence[str], everyone:
 
 
 def draw_over_map(ax: Axes, file: Plane, points: Sequence[Point], colour_of: Callable[[float], Any] | None = None) -> None:
-    """Marks over the plane of a map; `colour_of`: a colour for each force [F/(m g)]."""
+    """Marks over the plane of a map; `colour_of` gives the colour for a force [F/(m g)]."""
     quantities = _quantities(file)
     limits = ax.get_xlim(), ax.get_ylim()
     draw(ax, points, quantities)
@@ -61,13 +61,13 @@ def draw_over_map(ax: Axes, file: Plane, points: Sequence[Point], colour_of: Cal
 
 
 def name_over_map(ax: Axes, file: Plane, points: Sequence[Point]) -> None:
-    """Labels at these marks, where they have room: once all else is written."""
+    """Labels at these marks, where space permits; call after everything else is drawn."""
     if points:
         name(ax, points, _quantities(file))
 
 
 def name(ax: Axes, points: Sequence[Point], quantities: Sequence[str], size: float = 8) -> None:
-    """Labels [pt] at marks that draw() made, where they have room."""
+    """Labels [pt] at marks made by draw(), where space permits."""
     for point in points:
         if point.label:
             x, y = (getattr(point, quantity) for quantity in quantities)
@@ -79,7 +79,7 @@ def _quantities(file):
 
 
 def vertical_marks(ax: Axes, points: Sequence[Point]) -> None:
-    """Of points that stand for a frequency alone."""
+    """Marks of points that have only a frequency."""
     places = np.array([(point.frequency, np.nan) for point in points]).reshape(-1, 2)
     ax.add_line(Line2D(places[:, [0, 0, 1]].ravel(), np.tile([0, 1, np.nan], len(points)), color="#555555", linewidth=0.7,
                        linestyle=(0, (1, 2)), transform=ax.get_xaxis_transform(), zorder=1))

@@ -1,7 +1,7 @@
-"""What a measured force is compared with: every motion that is known where its point lies, from the computed places around it.
+"""Candidates for comparison with a measured force: every motion known at its point, from the surrounding computed places.
 
-A motion that all of these places have is interpolated between them, linear in each coordinate; one that only some have is
-taken from the nearest of them, and how far that lies away is told.
+A motion common to all of these places is interpolated linearly in each coordinate; one known only at some is taken from the
+nearest of them, and its distance is reported.
 """
 
 from collections.abc import Hashable, Sequence
@@ -9,15 +9,15 @@ from dataclasses import dataclass
 
 from .points import Point
 
-ONE_BRANCH = 0.2  # forces of neighbouring places that differ by a larger share of the larger one may be of two branches
-ROUNDING = 1e-9  # of a step: nearer than that, a point lies at a computed place
+ONE_BRANCH = 0.2  # neighbouring forces that differ by a larger share of the larger one may be on different branches
+ROUNDING = 1e-9  # of a step: a point closer than this lies at a computed place
 
 
 @dataclass(frozen=True)
 class Known:
-    """A motion at a computed place. `words` name it, `force` [F/(m g)] is 0 where nothing impacts, `share` that of the starts that
-    end in it, None where the file doesn't tell. Places have it in common where its `key` is the same and, unless it `goes_on` for
-    sure, the forces are alike, too."""
+    """A motion at a computed place. `words` name it, `force` [F/(m g)] is 0 without impacts, `share` is that of the starts
+    ending in it, None if the file does not give it. Places share the motion if its `key` is equal and, unless it certainly
+    `goes_on`, the forces are similar."""
 
     key: Hashable
     words: str
@@ -28,8 +28,8 @@ class Known:
 
 @dataclass(frozen=True)
 class Place:
-    """A computed place beside a point: how much it `weight`s in an interpolation (all of a point: 1), how far it is `away`
-    (frequency, gap), in the file's numbers, and what is `known` there."""
+    """A computed place beside a point: its `weight` in an interpolation (those of a point sum to 1), its distance `away`
+    (frequency, gap), in the file's numbers, and the motions `known` there."""
 
     weight: float
     away: tuple[float, float]
@@ -38,8 +38,8 @@ class Place:
 
 @dataclass(frozen=True)
 class Match:
-    """`motion` beside a point with a force; `force` of it at the point itself, or, where `away` (frequency, gap) isn't None, that
-    far from it."""
+    """`motion` beside a point with a force; `force` is its force at the point
+    itself or, if `away` (frequency, gap) is not None, at that distance."""
 
     point: Point
     motion: Known
@@ -48,13 +48,14 @@ class Match:
 
     @property
     def residual(self) -> float:
-        """Measured less computed, F/(m g)."""
+        """Measured minus computed, F/(m g)."""
         assert self.point.force is not None
         return self.point.force - self.force
 
 
 def matches(point: Point, places: Sequence[Place], beyond: tuple[float, float] = (0.0, 0.0)) -> list[Match]:
-    """[Match] of a point with a force, the nearest force first. `beyond` (frequency, gap): how far outside all places it lies."""
+    """The [Match] of a point with a force, the nearest force first.
+    `beyond` (frequency, gap): distance of the point outside all places."""
     places = sorted((place for place in places if place.weight > ROUNDING), key=lambda place: -place.weight)
     left = [list(place.known) for place in places]
     found = []
@@ -71,7 +72,7 @@ def matches(point: Point, places: Sequence[Place], beyond: tuple[float, float] =
 
 
 def _taken(others, motion):
-    """The same motion among those of another place, from which it is taken; None without one."""
+    """The same motion among those of another place; None without one."""
     same = [one for one in others if one.key == motion.key]
     nearest = min(same, key=lambda one: abs(one.force - motion.force), default=None)
     if nearest is None or not (motion.goes_on or abs(nearest.force - motion.force) <= ONE_BRANCH * max(nearest.force, motion.force)):
@@ -81,12 +82,12 @@ def _taken(others, motion):
 
 
 def distance(first: float, second: float) -> float:
-    """0 for numbers that are the same but for rounding."""
+    """The distance; 0 for numbers equal up to rounding."""
     return 0.0 if abs(first - second) <= ROUNDING * max(abs(first), abs(second)) else abs(first - second)
 
 
 def around(values: Sequence[float], x: float) -> list[tuple[int, float]]:
-    """[(index, weight)] of the ascending numbers on both sides of x, or of the one at x or, outside, nearest to it."""
+    """[(index, weight)] of the ascending numbers on both sides of x, or of the one equal to x or, outside, nearest to it."""
     after = next((number for number, value in enumerate(values) if value >= x), len(values))
     if after in (0, len(values)):
         return [(min(after, len(values) - 1), 1.0)]

@@ -1,19 +1,19 @@
-"""Points that somebody measured, from a CSV file, for drawing over a sweep or a map.
+"""Measured points from a CSV file, for drawing over a sweep or a map.
 
 One point a line, named columns in any order, each in SI-like units or as the ratio of the pictures:
 
     frequency_hz or frequency_ratio          always
     force_n or force_ratio                   peak force, F or F/(m g)
     displacement_mm or displacement_ratio    hammer, x or x/A0
-    gap_mm or gap_ratio                      needed over a map, and where the sweep has several gaps
+    gap_mm or gap_ratio                      required over a map, and for a sweep with several gaps
     frequency_error_hz, force_error_n, displacement_error_mm, gap_error_mm, or ..._error_ratio
                                              standard errors, drawn as bars
     natural_frequency_hz                     of the rig; points of other rigs are left out
-    series                                   named once, in the legend
-    label                                    written beside the point; one that several points have is a series
+    series                                   one legend entry per series
+    label                                    written beside the point; a label shared by several points is a series
 
-Columns are parted by commas, or by semicolons or tabs, and then numbers may have decimal commas. A cell may be empty.
-A point with a frequency alone is a mark on the frequency axis of a sweep. Lines that begin with # are comments.
+Columns are separated by commas, or by semicolons or tabs, which permit decimal commas. A cell may be empty.
+A point with only a frequency is a mark on the frequency axis of a sweep. Lines that begin with # are comments.
 """
 
 from collections import Counter
@@ -32,16 +32,16 @@ ERRORS = {name: (f"{name}_error_ratio", f"{name}_error_{UNITS[name]}") for name 
 COLUMNS = (*(name for pair in (*PAIRS.values(), *ERRORS.values()) for name in pair), "natural_frequency_hz", "series", "label")
 MAX_BYTES, MAX_LABEL = 2**24, 60
 MOST_LABELS = 200  # of all points
-MOST_SERIES = 24  # so many marks can be told apart
-SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
-SAME_PLACE = 1e-6  # and these, in A0, are but for rounding
-AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # over which points lie
+MOST_SERIES = 24  # number of distinguishable marks
+SAME = 0.02  # tolerance for equal gaps, in A0, and equal natural frequencies, relative
+SAME_PLACE = 1e-6  # in A0: gaps equal up to rounding
+AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # axes over which points may lie
 
 
 @dataclass(frozen=True)
 class Point:
-    """Ratios, but `frequency` and `gap` in the numbers of the file's axes over them; None where the point has no such number.
-    `gap` is one of the sweep's gaps, or None; over a map any gap. `errors` {quantity: standard error}."""
+    """Ratios, except `frequency` and `gap`, which are in the numbers of the file's axes; None if the point lacks the number.
+    `gap` is one of the sweep's gaps, or None; over a map, any gap. `errors` {quantity: standard error}."""
 
     frequency: float
     force: float | None
@@ -54,13 +54,13 @@ class Point:
 
 @dataclass(frozen=True)
 class Measurements:
-    """What was read: the points, and sentences on those that were left out or stand elsewhere."""
+    """The result of reading: the points, and sentences on those omitted or moved."""
 
     points: list[Point]
     left_out: list[str]  # sentences
 
     def at_gap(self, gap: float | None) -> list[Point]:
-        """Those of one of the sweep's gaps, and those of all gaps."""
+        """The points at one of the sweep's gaps, and those of all gaps."""
         return [point for point in self.points if point.gap is None or point.gap == gap]
 
 
@@ -68,13 +68,13 @@ NOTHING_MEASURED = Measurements([], [])
 
 
 def read_measurements(path: Path, file: OpenedFile) -> Measurements:
-    """The points of a CSV file that belong to this sweep or map, in its numbers."""
+    """The points of a CSV file that belong to this sweep or map, in its numbers. Raises PeterkaFileError for an unusable file."""
     _check_axes(file)
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
     _check_names(table)
     scales = _scales(path, file, table.names)
     points, other_rigs, other_gaps, outside = [], 0, [], 0
-    moved: dict[float, list[float]] = {}  # of each gap: how far points were moved
+    moved: dict[float, list[float]] = {}  # for each gap: the distances by which points were moved
     for line, cells in table.rows:
         numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
         point = _point(table, line, cells, numbers, scales)
@@ -122,7 +122,7 @@ def _check_names(table):
 
 
 def _scales(path, file, names):
-    """Of each quantity: what a ratio of 1, and what one of its SI-like units, is in the numbers of the file."""
+    """For each quantity: the values of a ratio of 1 and of an SI-like unit in the numbers of the file."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     along = (file.axis_name,) if file.kind == "sweep" else (file.rows.name, file.columns.name)
     of_ratio = {"frequency": hertz, "force": file.newtons, "displacement": metres and 1000 * metres, "gap": metres and 1000 * metres}
@@ -140,7 +140,7 @@ def _scales(path, file, names):
 
 
 def _point(table, line, cells, numbers, scales):
-    """With any gap."""
+    """The point with its own gap, not yet matched to the file's."""
     ratios = {name: _scaled(numbers, PAIRS[name], scales[name]) for name in QUANTITIES}
     errors = {name: _scaled(numbers, ERRORS[name], scales[name]) for name in QUANTITIES}
     if ratios["frequency"] is None or not ratios["frequency"] > 0:
@@ -169,7 +169,7 @@ def _lies_inside(table, line, point, file):
 
 
 def _gap(table, line, gap, file):
-    """The sweep's gap; None for a point of all gaps, False for one of no gap of the sweep."""
+    """The sweep's gap; None for a point of all gaps, False for a gap not in the sweep."""
     if gap is None:
         if len(file.gaps) > 1:
             raise table.refusal(f"has no gap, and the sweep has {len(file.gaps)} of them; add gap_mm or gap_ratio", line)
@@ -184,7 +184,7 @@ def _gap_words(file, gap):
 
 
 def _with_series(points):
-    """A label that several points have is the name of a series, where the points have no other; it stands in the legend."""
+    """A label shared by several points without a series becomes their series and is shown in the legend."""
     count = Counter(point.label for point in points)
     shared = {label for label, times in count.items() if label and times > 1}
     return [replace(point, series=point.label, label="") if point.label in shared and not point.series else point

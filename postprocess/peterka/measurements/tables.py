@@ -1,4 +1,4 @@
-"""A table of how far measured forces are from computed ones: a line for each motion that is known beside a point."""
+"""A table of differences between measured and computed forces: a line for each motion known beside a point."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ HEADS = ("motion", "starts", "computed", "residual", "", "", "computed at", "lab
 
 @dataclass(frozen=True)
 class Units:
-    """What 1 of a file's frequencies, gaps and forces is in Hz, mm and N; None where the file doesn't tell."""
+    """The file's unit frequency, gap and force in Hz, mm and N; None if the file does not give it."""
 
     hertz: float | None
     millimetres: float | None
@@ -19,7 +19,7 @@ class Units:
 
 
 def table(found: Sequence[Sequence[Match]], units: Units) -> list[str]:
-    """Lines of [Match] of each point, the nearest motion of a point in its first line."""
+    """The table's lines for the [Match] of each point, the nearest motion on a point's first line."""
     if not found:
         return []
     force = f"[{'N' if units.newtons else 'F/(m g)'}]"
@@ -31,14 +31,14 @@ def table(found: Sequence[Sequence[Match]], units: Units) -> list[str]:
 
 
 def lines(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Text: all columns but the last one to the right."""
+    """The table as text, all columns but the last right-aligned."""
     table = [heads, *rows]
     widths = [max(map(len, column)) for column in zip(*table)]
     return [("  ".join(cell.rjust(width) for cell, width in zip(row[:-1], widths)) + f"  {row[-1]}").rstrip() for row in table]
 
 
 def name_of(point: Point) -> str:
-    """Its series and its label, as far as it has them."""
+    """The point's series and label, as available."""
     return ", ".join(filter(None, (point.series, point.label)))
 
 

@@ -1,15 +1,15 @@
-"""The one regime that the admitted starts of each cell of a map end in, and the worst value over them.
+"""The single regime in which the admitted starts of each cell end, and the worst value over them.
 
-A map with [starts] tells all attractors of a cell: on [attractor][rows][columns] attractor_regime int8, attractor_impacts
+A map with [starts] stores all attractors of a cell: on [attractor][rows][columns] attractor_regime int8, attractor_impacts
 and attractor_period int32, attractor_peak_force_ratio f64 and basin_share f64 (share of the starts; empty slots have 0 and
-regime -128; motions that are known though no start ended on them have share 0 and a regime), and on [rows][columns]
-start_attractor int32, the slot in which the job's own start ends, -1 for none of them. Which starts are admitted:
+regime -128; known motions reached by no start have share 0 and a regime), and on [rows][columns] start_attractor int32, the
+slot in which the job's own start ends, -1 for none of them. Admitted starts:
 
-    any      all of them, and the job's own: each must end in that regime, and no other motion be known
+    any      all of them, and the job's own: each must end in that regime, and no other motion may be known
     share s  at least the share s of them, s above one half
     job      the job's own start alone, as in a map without [starts]
 
-Only orbits with impacts count: a largest force that was seen in chaos is none to rely on.
+Only orbits with impacts count: the largest observed force of chaos is not reliable.
 """
 
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ from ..maps.map_file import PeterkaFile
 ANY, JOB = "any", "job"
 MOST_SLOTS = 64
 ROUNDING = 1e-9  # of a sum of shares
-NO_REGIME = -1  # less than any label's code
+NO_REGIME = -1  # below every label code
 SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
          "attractor_peak_force_ratio": REAL, "basin_share": REAL}
 QUANTITIES = {"peak_force": "peak_force_ratio", "contact_power": "contact_power_w", "impact_speed": "impact_speed"}
@@ -32,7 +32,7 @@ QUANTITIES = {"peak_force": "peak_force_ratio", "contact_power": "contact_power_
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is to be large: `name` of QUANTITIES, `title`, and the factor from the stored numbers to `unit`."""
+    """The quantity to maximise: `name` from QUANTITIES, `title`, and the factor from the stored numbers to `unit`."""
 
     name: str
     title: str
@@ -42,8 +42,8 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Admitted:
-    """On [rows][columns]: `code` of the regime (label_codes; NO_REGIME where there is no single one), the worst `value` [as
-    stored; NaN where the file doesn't tell], and the `share` of the starts that end in it (1 for `job`)."""
+    """On [rows][columns]: `code` of the regime (label_codes; NO_REGIME if there is no single one), the worst `value` [as
+    stored; NaN if the file lacks it], and the `share` of the starts that end in it (1 for `job`)."""
 
     code: np.ndarray
     value: np.ndarray
@@ -51,7 +51,7 @@ class Admitted:
 
 
 def quantity_of(file: PeterkaFile, name: str) -> Quantity:
-    """The Quantity of this name in a map."""
+    """The Quantity of this name in a map. Raises PeterkaFileError if the map lacks it."""
     dataset = QUANTITIES[name]
     if dataset != "peak_force_ratio" and dataset not in file.quantities:
         raise file.refusal(f'has no {dataset}; compute it with --set \'output.fields=["{dataset}"]\'')
@@ -124,7 +124,7 @@ def _band(file, first, band, starts, name, slots):
     worst = _worst(file, QUANTITIES[name], stored, here, (value, kept), (slice(0, slots), rows))
     if starts == ANY:
         code = np.where(own == code, code, NO_REGIME)
-        worst = np.minimum(worst, value)  # NaN stays NaN
+        worst = np.minimum(worst, value)  # NaN propagates
     return code, worst, share
 
 
@@ -133,7 +133,7 @@ def _strikes(regime, impacts):
 
 
 def _common(codes, shares, least):
-    """The code that so much of the starts have, NO_REGIME where none has, and its share."""
+    """The code shared by at least this share of the starts, NO_REGIME if there is none, and its share."""
     code, share = np.full(codes.shape[1:], NO_REGIME, dtype=np.int64), np.zeros(codes.shape[1:])
     for slot in range(len(codes)):
         total = np.where(codes == codes[slot], shares, 0).sum(axis=0)
@@ -143,13 +143,13 @@ def _common(codes, shares, least):
 
 
 def _worst(file, dataset, stored, here, own, index):
-    """The smallest value over the slots that are meant; NaN where the file doesn't tell one of them."""
+    """The smallest value over the selected slots; NaN if the file lacks one of them."""
     if dataset == "peak_force_ratio":
         values = stored["attractor_peak_force_ratio"]
     elif file.data.has(f"attractor_{dataset}"):
         values = file.data.values(f"attractor_{dataset}", index)
-    else:  # the file has that of the attractor alone on which the job's own start ends
+    else:  # the file has only that of the attractor reached by the job's own start
         value, kept = own
         values = np.where(np.arange(len(here))[:, None, None] == kept, value, np.nan)
-    smallest = np.where(here, values, np.inf).min(axis=0)  # NaN goes through
+    smallest = np.where(here, values, np.inf).min(axis=0)  # NaN propagates
     return np.where(np.isinf(smallest), np.nan, smallest)

@@ -1,7 +1,7 @@
-"""How far a drift reaches on a map's axes, and the worst over the box that it makes around each cell.
+"""The extent of a drift on a map's axes, and the worst value over the resulting box around each cell.
 
-The box reaches at least as far as the drift: where that ends between two cells, the farther one belongs to it. Cells whose
-box leaves the map have none, as nobody computed what lies there.
+The box covers at least the drift: if that ends between two cells, the farther one is included. Cells whose box extends
+beyond the map have no value, because the outside is not computed.
 """
 
 from collections.abc import Callable, Collection
@@ -22,8 +22,8 @@ TOUCH = 1e-9  # of a step: rounding
 
 @dataclass(frozen=True)
 class Reach:
-    """Along an axis: `width` in the axis' own numbers, how many cells the box has `before` and `after` each cell, (n,), and
-    whether it lies `inside` the map, (n,)."""
+    """Along an axis: `width` in the axis' own numbers, the number of cells of the box `before` and `after` each cell, (n,),
+    and whether it lies `inside` the map, (n,)."""
 
     width: float
     before: np.ndarray
@@ -31,14 +31,14 @@ class Reach:
     inside: np.ndarray
 
     def meets(self, at: int) -> Mask:
-        """Whether the box of each cell has cells in common with that of the cell `at`, (n,)."""
+        """Whether the box of each cell overlaps that of the cell `at`, (n,)."""
         here = np.arange(len(self.before))
         return (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Of an axis: what one of its numbers is in `unit`."""
+    """The unit of an axis: the size of its numbers in `unit`."""
 
     factor: float
     unit: str
@@ -46,7 +46,7 @@ class Unit:
 
 
 def unit_of(file: OpenedFile, name: str) -> Unit | None:
-    """The Unit in which people set an axis, Hz or mm; None for an axis of something else."""
+    """The customary Unit of an axis, Hz or mm; None for other axes."""
     shown = {"frequency_hz": Unit(1.0, "Hz", "frequency"), "gap_m": Unit(1000.0, "mm", "gap")}
     si = TWINS.get(name, name)
     if si not in shown or si == name:
@@ -58,7 +58,7 @@ def unit_of(file: OpenedFile, name: str) -> Unit | None:
 
 
 def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:
-    """The Reach of a drift by so much to either side; an axis that is neither a frequency nor a gap doesn't drift."""
+    """The Reach of a drift of this half-width; an axis that is neither a frequency nor a gap does not drift."""
     unit = unit_of(file, axis.name)
     width = 0.0 if unit is None else {"Hz": hz, "mm": mm}[unit.unit] / unit.factor
     values, step = axis.values, float(np.diff(axis.values).min())
@@ -71,8 +71,7 @@ def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:
 
 
 def worst_of_boxes(admitted: Admitted, rows: Reach, columns: Reach, codes: Collection[int] | None = None) -> Reals:
-    """The worst value over the box around each cell, (rows, columns): NaN where its regime isn't one, or isn't one of
-    `codes`."""
+    """The worst value over the box around each cell, (rows, columns); NaN if its regime is not unique or not in `codes`."""
     labels, number = np.unique(admitted.code, return_inverse=True)
     number = number.reshape(admitted.code.shape).astype(float)
     sound = (admitted.code != NO_REGIME) & np.isfinite(admitted.value)
@@ -85,7 +84,7 @@ def worst_of_boxes(admitted: Admitted, rows: Reach, columns: Reach, codes: Colle
 
 
 def over_box(values: Reals, rows: Reach, columns: Reach, filtered: Callable) -> Reals:
-    """A filter over the box around each cell: along the rows, then along the columns, for each size that occurs."""
+    """A filter over the box around each cell, separable: along the rows, then along the columns, for each box size that occurs."""
     for axis, along in ((0, rows), (1, columns)):
         wide = np.empty_like(values)
         for before, after in np.unique(np.column_stack([along.before, along.after]), axis=0).tolist():

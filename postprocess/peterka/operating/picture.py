@@ -1,4 +1,4 @@
-"""The worst value of each cell's box over the plane of a map, with the best separate places and the box of the best one."""
+"""The worst value in each cell's box over the plane of a map, with the best separate places and the box of the best one."""
 
 from collections.abc import Sequence
 
@@ -23,7 +23,7 @@ COLOURS, NOTHING = "viridis", "#F2F2F2"
 @style.using()
 def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, columns: Reach,
          what: tuple[Quantity, str, str]) -> Figure:
-    """As a Figure; `what`: the Quantity, and in words the starts and the drift."""
+    """The picture as a Figure; `what`: the Quantity, and descriptions of the starts and the drift."""
     quantity, starts, drift = what
     block = block_size(file.shape)
     reduced = with_edges(file, largest(worst, block), block)
@@ -47,7 +47,7 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
 
 
 def _show_computed(ax, file, block):
-    """A pale ground under all cells that are computed."""
+    """Draws a pale background under all computed cells."""
     pieces = [largest(np.where(band["regime"] < 0, np.nan, 0.0), block) for _, band in file.bands(["regime"], block)]
     ground = with_edges(file, np.concatenate(pieces), block)
     ax.pcolormesh(ground.column_edges, ground.row_edges, np.ma.masked_invalid(ground.image), cmap=axes.ListedColormap([NOTHING]),

@@ -1,4 +1,4 @@
-"""The best separate places of a map: those whose boxes have no cell in common."""
+"""The best separate places of a map: their boxes are disjoint."""
 
 from dataclasses import dataclass
 
@@ -14,8 +14,8 @@ MOST = 10
 
 @dataclass(frozen=True)
 class Place:
-    """A cell: its indices, the worst of its box and what it has itself [as stored], its orbit (p, q), and the smallest
-    share of the starts in its box that end in it."""
+    """A cell: its indices, the worst value in its box and its own value [as stored], its orbit (p, q), and the smallest
+    share, over its box, of the starts that end in it."""
 
     row: int
     column: int
@@ -26,7 +26,7 @@ class Place:
 
 
 def best_places(worst: Reals, admitted: Admitted, rows: Reach, columns: Reach, most: int = MOST) -> list[Place]:
-    """The Places whose boxes have the largest worst values, the best first; none without any."""
+    """The Places whose boxes have the largest worst values, the best first; may be empty."""
     left = np.where(worst > 0, worst, -np.inf)
     shares = over_box(admitted.share, rows, columns, minimum_filter1d)
     found: list[Place] = []
@@ -39,7 +39,7 @@ def best_places(worst: Reals, admitted: Admitted, rows: Reach, columns: Reach, m
 
 
 def _middle_of_best(values):
-    """Where several neighbours are equally good, the middle one: the worst cell of all their boxes is the same."""
+    """The middle one of several equally good neighbours: they share the worst cell of their boxes."""
     best = np.argwhere(values == values.max())
     away = np.abs(best - np.median(best, axis=0)).sum(axis=1)
     return np.ravel_multi_index(tuple(best[np.argmin(away)]), values.shape)

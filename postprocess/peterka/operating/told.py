@@ -1,8 +1,7 @@
-"""What the numbers of a map can tell of other starts, other places and other motions: what is proved, what is sampled, and
-with how many starts a question can be answered.
+"""What a map implies for other starts, places and motions: what is proved, what is sampled, and how many starts a question requires.
 
-A motion with a share s of the starts is missed by n of them with (1 - s)^n. In one case of twenty, 16 miss one with 17 %, 59
-one with 5 %, 299 one with 1 %.
+A motion with share s of the starts is missed by all of n starts with probability (1 - s)^n. At probability 1/20, 16 starts
+miss a share of 17 %, 59 a share of 5 %, 299 a share of 1 %.
 """
 
 from dataclasses import dataclass
@@ -17,15 +16,15 @@ from ..maps.map_file import PeterkaFile
 from .drift import Reach
 from .places import Place
 
-DOUBT = 0.05  # in one case of twenty
-USUAL = (0.05, 0.01)  # shares, to compare with
+DOUBT = 0.05  # probability 1/20
+USUAL = (0.05, 0.01)  # shares, for comparison
 CLOSED_FORM = "a motion without impact"
 
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A motion of the box that a place isn't judged by: `name`, in how many `cells` it is known, and its largest `share` of the
-    starts of one of them; 0: none found it."""
+    """A motion in the box other than the place's own: `name`, the number of `cells` in which it is known, and its largest
+    `share` of a cell's starts; 0 if no start found it."""
 
     name: str
     cells: int
@@ -33,12 +32,12 @@ class LeftOut:
 
 
 def has_job(file: PeterkaFile) -> bool:
-    """Whether a file holds the text of its job."""
+    """Whether a file contains its job's text."""
     return isinstance(file.data.attribute("job"), str)
 
 
 def starts_of(file: PeterkaFile) -> int:
-    """How many starts each cell has."""
+    """The number of starts per cell."""
     count = job_numbers.number_of(_tables(file), "starts.count")
     if count is None or not 1 <= count < 1e15:
         raise file.refusal("holds a job that doesn't tell how many starts its cells have")
@@ -46,24 +45,23 @@ def starts_of(file: PeterkaFile) -> int:
 
 
 def share_excluded(starts: int) -> float:
-    """The share that so many starts, which all end elsewhere, exclude: one as large would be missed in one case of twenty."""
+    """The share excluded by this many starts that all end elsewhere: a motion of that share would be missed with probability 1/20."""
     return 1 - DOUBT ** (1 / starts)
 
 
 def starts_needed(share: float) -> int:
-    """How many starts, all of which end in one motion, tell that it has such a share."""
+    """The number of starts, all ending in one motion, that establishes such a share for it."""
     return int(np.ceil(np.log(DOUBT) / np.log(share) - 1e-9))
 
 
 def least_share(share: float, starts: int) -> float:
-    """The share of all starts that a motion has at least, in 19 cases of 20, where such a share of these ended on it (Clopper
-    and Pearson)."""
+    """Lower 95 % confidence bound on a motion's share of all starts, given its share of these (Clopper & Pearson, 1934)."""
     ended = round(share * starts)
     return float(beta.ppf(DOUBT, ended, starts - ended + 1)) if ended else 0.0
 
 
 def refuse_few_starts(file: PeterkaFile, share: float) -> None:
-    """Refuses a question that the starts of a file can't answer."""
+    """Refuses a question that the file's starts cannot answer."""
     starts = starts_of(file)
     if share >= 1:
         raise file.refusal("can't tell a share of 1, whatever its starts: ask for --starts any, or for a share below 1")
@@ -75,12 +73,12 @@ def refuse_few_starts(file: PeterkaFile, share: float) -> None:
 
 
 def may_stay_free(file: PeterkaFile, rows: Reach, columns: Reach) -> Mask:
-    """Whether the hammer can swing without impact anywhere in the box around each cell, (rows, columns): in closed form, not at
-    the cells alone."""
+    """Whether the hammer can swing without impact anywhere in the box around
+    each cell, (rows, columns): in closed form, not only at the cells."""
     tables = _tables(file)
     found = np.zeros(file.shape, dtype=bool)
-    # its amplitude has one peak along the frequency and the stop is farthest at the largest gap: a box has the least of its
-    # amplitudes over its gap at a corner
+    # the amplitude has a single peak along the frequency and the stop is farthest at the largest gap: the minimum over a box
+    # of amplitude over gap is attained at a corner
     for up in (-1, 1):
         for right in (-1, 1):
             coordinates = {file.columns.name: (file.columns.values + right * columns.width)[None, :],
@@ -93,7 +91,7 @@ def may_stay_free(file: PeterkaFile, rows: Reach, columns: Reach) -> Mask:
 
 
 def left_out(file: PeterkaFile, place: Place, rows: Reach, columns: Reach) -> list[LeftOut]:
-    """Other motions than that of a place which are known in the cells of its box, those with the largest shares first."""
+    """Motions other than a place's own that are known in the cells of its box, those with the largest shares first."""
     box = (slice(place.row - rows.before[place.row], place.row + rows.after[place.row] + 1),
            slice(place.column - columns.before[place.column], place.column + columns.after[place.column] + 1))
     regime, impacts, period, share = (file.data.values(name, (slice(None), box[0]))[:, :, box[1]] for name in
@@ -108,7 +106,7 @@ def left_out(file: PeterkaFile, place: Place, rows: Reach, columns: Reach) -> li
 
 
 def text_of_left_out(found: list[LeftOut], stays_free: bool) -> str:
-    """Of the best place, in words."""
+    """Describes the other motions of the best place."""
     words = [f"{one.name} (in {one.cells} cells of the box, " +
              (f"up to {100 * one.share:.2g} % of a cell's starts)" if one.share > 0 else "found by no start)") for one in found]
     if stays_free and all(one.name != NAMES[NO_IMPACT] for one in found):
@@ -117,7 +115,7 @@ def text_of_left_out(found: list[LeftOut], stays_free: bool) -> str:
 
 
 def text_of_sampling(starts: int, share: float | None) -> str:
-    """What so many starts of each cell tell of all starts: where all of them end in one motion, or a share of them."""
+    """What this many starts per cell imply for all starts, if all, or a share of them, end in one motion."""
     others = ", ".join(f"{starts_needed(1 - each)} exclude more than {100 * each:g} %" for each in USUAL
                        if each < share_excluded(starts))
     if share is None:

@@ -1,4 +1,4 @@
-"""The box around a place once more, by the program itself: the job of the map on a finer grid, with the same starts."""
+"""Recomputes the box around a place with the program itself: the map's job on a finer grid, with the same starts."""
 
 import os
 import subprocess
@@ -14,20 +14,20 @@ from .admitted import Quantity, admitted, read_code
 from .drift import Reach
 from .places import Place
 
-FINER, FEWEST, MOST = 4, 17, 129  # points for one of the map's steps, and along a side
-ROUNDING = 1e-6  # of a value: both grids have the box' corners, and their coordinates other last bits
-NARROW = 1e-6  # of a step: the width of a box along an axis that doesn't drift
+FINER, FEWEST, MOST = 4, 17, 129  # points per step of the map, and along a side
+ROUNDING = 1e-6  # of a value: both grids contain the box' corners, but their coordinates differ in the last bits
+NARROW = 1e-6  # of a step: the width of a box along an axis without drift
 BINARY = Path(__file__).resolve().parents[3] / "build" / "peterka"
 
 
 class NotVerified(Exception):
-    """The program didn't compute the box; the message says why."""
+    """The program did not compute the box; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Verified:
-    """`cells` of the finer box, how many of them have `another` regime or none from the admitted starts, and the smallest
-    value of the others with its place (row, column) [as stored, axes' numbers]; NaN where none has a value."""
+    """`cells` of the finer box; the number of them with `another` regime or none from the admitted starts; the smallest
+    value of the others and its place (row, column) [as stored, axes' numbers]; NaN if none has a value."""
 
     cells: int
     another: int
@@ -35,13 +35,13 @@ class Verified:
     at: tuple[float, float]
 
     def holds(self, place: Place) -> bool:
-        """Whether a Place is as good here as it was told to be, but for rounding."""
+        """Whether a Place is as good here as predicted, up to rounding."""
         return self.another == 0 and self.worst >= place.worst * (1 - ROUNDING)
 
 
 def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts: str | float, quantity: Quantity,
            folder: Path, ranks: int = 1, binary: Path | None = None) -> Verified:
-    """The Verified of a Place; its job and file are put into `folder`."""
+    """The Verified of a Place; its job and file are written to `folder`."""
     text = str(file.data.attribute("job"))
     paths = axis_paths(file, file.data.attribute("job"))
     sizes = {}
@@ -65,9 +65,9 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
 
 
 def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
-    """{"rows", "columns": the axis' table in the job}; the first axis of a job is that of the columns."""
+    """{"rows", "columns": the axis' table in the job}; a job's first axis is that of the columns."""
     try:
-        found = list(_tables(tomllib.loads(text)["axes"], "axes"))  # type: ignore[arg-type]  # no text: refused below
+        found = list(_tables(tomllib.loads(text)["axes"], "axes"))  # non-text is refused below
     except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError) as error:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__})") from error
     by_name = {_coordinate(path): path for path in found}
@@ -78,7 +78,7 @@ def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
 
 
 def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity) -> str:
-    """What the finer box says, in words."""
+    """The result for the finer box, in words."""
     worst, unit = quantity.factor * found.worst, quantity.unit
     if found.another:
         return (f"it doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
@@ -100,7 +100,7 @@ def _tables(table, path):
 
 
 def _coordinate(path):
-    """The name in the file of an axis in the job: axes.contact.damping_ns_per_m is contact_damping_ns_per_m."""
+    """The file's name of a job axis: axes.contact.damping_ns_per_m is contact_damping_ns_per_m."""
     return "_".join(path.split(".")[1:])
 
 

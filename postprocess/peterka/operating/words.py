@@ -1,4 +1,4 @@
-"""What was found, in words and as a table."""
+"""The results, in words and as a table."""
 
 from collections.abc import Mapping, Sequence
 
@@ -10,14 +10,14 @@ from .places import Place
 
 
 def starts_in_words(starts: str | float) -> str:
-    """From which of the starts."""
+    """Describes the starts considered."""
     if starts == JOB:
         return "from the job's own start"
     return "from every start tried" if starts == ANY else f"from {100 * starts:g} % of the starts"
 
 
 def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:
-    """Of both axes, those that people set in Hz and mm first of all."""
+    """Describes the drift along both axes, those in Hz and mm first."""
     words = []
     for axis, along in ((file.columns, columns), (file.rows, rows)):
         unit = unit_of(file, axis.name)
@@ -29,12 +29,12 @@ def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:
 
 
 def place_in_words(file: PeterkaFile, place: Place) -> str:
-    """Where a place is."""
+    """The coordinates of a place."""
     return ", ".join(_coordinate(file, axis, at) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
 
 
 def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:
-    """Lines with the Places."""
+    """The table of the Places, as lines."""
     heads = [_head(file, file.columns), _head(file, file.rows)]
     names = ["", "z", *heads, f"worst of its box [{quantity.unit}]", f"at the place [{quantity.unit}]"]
     names += ["smallest share"] if with_share else []
@@ -49,7 +49,7 @@ def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_s
 
 
 def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapping[str, float]) -> list[str]:
-    """On the best place; `fields` {dataset: what the file has there}."""
+    """Describes the best place; `fields` {dataset: the file's value there}."""
     newtons = file.newtons
     lines = [f"best: {place_in_words(file, place)}, z = {place.orbit[0]}/{place.orbit[1]}: at least "
              f"{units.amount(quantity.factor * place.worst, quantity.unit, 4)} in all cells of its box"]

@@ -1,10 +1,10 @@
-"""The page that explore.py writes: a map, basin, sweep or file of curves with the program's own engine inside, in one HTML file.
+"""The page written by explore.py: a map, basin, sweep or file of curves with the program's own engine, in one HTML file.
 
-planes     arrays of numbers as compressed bytes, exact or to so many digits
-layers     what a file's cells say: labels of z and one layer per dataset
-tracks     what the points of a sweep say: its branches, and the attractors that are known besides
+planes     arrays of numbers as compressed bytes, exact or to a given precision
+layers     contents of a file's cells: labels of z and one layer per dataset
+tracks     contents of a sweep's points: its branches, and other known attractors
 edges      the curves of a file of curves, and the orbits on them
-engine     the engine in WebAssembly (src/page), built when it is first needed, and the numbers of a cell for it
-page       all of it put together
+engine     the engine in WebAssembly (src/page), built on first use, and the numbers of a cell for it
+page       assembles the page
 *.js, *.css, page.html   the page itself: files in the order of page.SCRIPTS, in one scope; worker.js runs beside it
 """

@@ -1,9 +1,9 @@
-// The view in the address, so that it can be kept and shared: layer, window, what is looked at, and the rig's changes.
+// Stores the view in the address, so that it can be kept and shared: layer, window, selected place, and changes of the rig.
 
-const VERSION = content.page_version; // of the program whose page this is: another one's rig may mean other things
+const VERSION = content.page_version; // version of the program that wrote this page: rigs of other versions may mean something else
 const rounded = (value) => Number(value.toPrecision(9));
 
-// axes, view: {x, y} of the plane; at: numbers of what is looked at, under their name in the address.
+// axes, view: {x, y} of the plane; at: numbers of the selected place, by their names in the address.
 function writeAddress({ layer, axes, view, at, rig, live }) {
   const parts = new URLSearchParams();
   if (layer !== undefined) parts.set("layer", layer);
@@ -19,7 +19,7 @@ function writeAddress({ layer, axes, view, at, rig, live }) {
   if (text !== location.hash.slice(1)) history.replaceState(null, "", text ? `#${text}` : location.pathname);
 }
 
-const KNOWN_PARTS = ["layer", "x", "y", "at", "curve", "live", "version"]; // of an address; others are of the rig
+const KNOWN_PARTS = ["layer", "x", "y", "at", "curve", "live", "version"]; // parts of an address; all others describe the rig
 
 function readAddress() {
   const parts = new URLSearchParams(location.hash.slice(1));

@@ -1,5 +1,5 @@
-// The basin of the cell that is looked at: which motion each start ends in, behind its phase plane. A start at forcing
-// phase 0 is a point of that plane, for there the cart passes its middle: x = u, x' = u' + eta.
+// The basin of the selected cell: the motion in which each start ends, drawn behind its phase plane. A start at forcing phase 0
+// is a point of that plane, because the cart then passes its centre: x = u, x' = u' + eta.
 
 const BASIN_SIZE = 96;
 
@@ -20,8 +20,8 @@ function liveBasin(workers, cell, window, changed) {
   return plane;
 }
 
-// The motions in which starts end, each with its colour and how many starts it has. Those of one class are told apart
-// by their force: a second one has a shade of the class's colour.
+// The motions in which starts end, each with its colour and its number of starts. Motions of one class are distinguished by their
+// force: further ones have shades of the class's colour.
 class Motions {
   constructor() {
     this.all = [];
@@ -43,7 +43,7 @@ class Motions {
   entries(newtons) {
     const sum = this.all.reduce((so_far, one) => so_far + one.count, 0);
     const told = ({ force }, places) => digits(force * newtons, places);
-    // As many digits as tell it from the others with its label.
+    // As many digits as distinguish it from the others with its label.
     const apart = (one) => {
       const others = this.all.filter((other) => other !== one && other.regime === one.regime && other.p === one.p && other.q === one.q);
       let places = 3;

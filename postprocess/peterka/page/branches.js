@@ -1,11 +1,11 @@
 // The branches of a sweep at one of its gaps, over the swept coordinate: a mark for each point in the colour of its z, a triangle
-// that points the way the branch goes, and small dots for the attractors that are known besides.
+// pointing in the branch's direction, and small dots for the other known attractors.
 
-const NEAR = 24; // px: from the pointer to the mark that it means
+const NEAR = 24; // px: largest distance from the pointer to the selected mark
 const OUTLINE = "#8A8A8A";
 const MANY_MARKS = 20000;
 
-// The numbers of a layer as the height of a point.
+// The values of a layer as heights of the points.
 class Heights {
   constructor(layer) {
     const force = layer.name === "peak_force_ratio";
@@ -21,7 +21,7 @@ class Heights {
       if (value < low) low = value;
       if (value > high) high = value;
     }
-    if (!(high >= low)) [low, high] = [0, 1]; // nothing has a number
+    if (!(high >= low)) [low, high] = [0, 1]; // no value at all
     if (force || (low >= 0 && low < 0.3 * high)) low = 0;
     const room = 0.05 * (high > low ? high - low : Math.abs(high) || 1);
     this.edges = [low === 0 ? -room / 2 : low - room, high + room];
@@ -41,9 +41,9 @@ class BranchesView extends PlaneView {
   constructor(below, above, tell) {
     super(below, above, { x: file.columns, y: new Heights(file.layers[0]) }, tell);
     this.layer = file.layers[0];
-    this.gap = 0; // which of the file's
+    this.gap = 0; // index among the file's gaps
   }
-  // The layer's numbers are heights now.
+  // The layer whose values are shown as heights.
   setLayer(layer) {
     if (layer === this.layer) return;
     this.layer = layer;
@@ -55,7 +55,7 @@ class BranchesView extends PlaneView {
     this.gap = gap;
     this.hover = null;
   }
-  // The point that is looked at, at its height or, where the layer has none of it, nowhere.
+  // The selected point, at its height, or null if the layer has no value there.
   mark(target) {
     this.target = target;
     const { track, column, sample = 0 } = target;
@@ -66,12 +66,12 @@ class BranchesView extends PlaneView {
   #placeOf({ column, y }) {
     return { x: file.columns.place(file.columns.values[column]), y };
   }
-  // Of this gap, those that lie beneath first.
+  // The tracks of this gap, the lowest layer first.
   get #tracks() {
     const own = content.tracks.map((track, number) => ({ ...track, number })).filter(({ gap }) => gap === this.gap);
     return own.reverse();
   }
-  // {track, column, sample, y} of all that a track has in these columns.
+  // Yields {track, column, sample, y} for all values of a track in these columns.
   *#points(track, from = 0, to = file.columns.values.length - 1) {
     for (let column = from; column <= to; ++column) {
       if (file.label(track, column)[0] === NOT_COMPUTED) continue;
@@ -82,7 +82,7 @@ class BranchesView extends PlaneView {
       }
     }
   }
-  // The columns that are to be seen, or that lie so near a place [px].
+  // The visible columns, or those near a position [px].
   #columns(from, to) {
     const { edges, values } = file.columns;
     const inside = (place) => file.columns.cell(Math.min(Math.max(place, edges[0]), edges.at(-1)));
@@ -99,7 +99,7 @@ class BranchesView extends PlaneView {
       for (const point of this.#points(number, ...columns)) {
         const place = this.#placeOf(point);
         const distance = Math.hypot(this.base.across(place.x) - x, this.base.up(place.y) - y);
-        if (distance <= nearest) [nearest, found] = [distance, point]; // of those at one place, the one on top
+        if (distance <= nearest) [nearest, found] = [distance, point]; // among coinciding points, the topmost
       }
     }
     return found;
@@ -116,7 +116,7 @@ class BranchesView extends PlaneView {
       }
     });
   }
-  // Between neighbours whose motions have a period, dotted where the force jumps.
+  // Joins neighbours with periodic motions, dotted where the force jumps.
   #drawLine(pen, track, points, direction) {
     pen.strokeStyle = OUTLINE;
     pen.lineWidth = 1;
@@ -143,7 +143,7 @@ class BranchesView extends PlaneView {
     });
     const draw = points.length > MANY_MARKS ? (x, y, size) => pen.fillRect(x - size / 2, y - size / 2, size, size)
       : (x, y, size) => fillMark(pen, shape, x, y, size);
-    pen.fillStyle = OUTLINE; // of all of them first: dense points become one outlined band
+    pen.fillStyle = OUTLINE; // outlines of all points first: dense points become one outlined band
     for (const [x, y] of places) draw(x, y, small + Math.min(0.9, 0.35 * small));
     points.forEach(({ column }, n) => {
       pen.fillStyle = content.classes[file.label(track, column)[3]].colour;
@@ -163,7 +163,7 @@ class BranchesView extends PlaneView {
       }
     });
   }
-  // Along the track; up and down to the next height at this coordinate.
+  // Moves along the track; up and down to the next height at this coordinate.
   walk(right, up) {
     const middle = Math.round((file.columns.values.length - 1) / 2);
     const { track, column, sample, y } = this.hover ?? this.target ?? { track: this.#tracks.at(-1).number, column: middle };
@@ -182,7 +182,7 @@ class BranchesView extends PlaneView {
   }
 }
 
-// A mark of so many px around a place; triangles as large to the eye as disks.
+// A mark of this radius [px] around a position; triangles have the visual size of disks.
 function fillMark(pen, shape, x, y, radius) {
   pen.beginPath();
   if (shape === "up" || shape === "down") {

@@ -1,4 +1,4 @@
-// The panel of one cell: the engine solves it, and its motion is shown.
+// The panel of a single cell: the engine solves it, and its motion is shown.
 
 const MOST_STARTS = 60;
 
@@ -12,11 +12,10 @@ class CellPanel {
     this.view = "steady";
     this.#listen();
   }
-  // cell: all numbers; inFile: what the file has where it lies; stored: the same, null where it is another rig, place or
-  // start.
+  // cell: all numbers; inFile: the file's contents there; stored: the same, null for a different rig, place or start.
   show(cell, inFile, stored) {
     this.inFile = inFile;
-    this.home = null; // the answer to which knocks are given
+    this.home = null; // the answer to which kicks are applied
     this.starts = [];
     this.#basinOff();
     this.#showKnock(0);
@@ -39,7 +38,7 @@ class CellPanel {
   #wait(spent) {
     this.element("spent").textContent = `solving: ${spent.toLocaleString("en")} cycles so far`;
   }
-  // What the file has, and why there is no motion to show.
+  // Shows the file's contents, and the reason why there is no motion.
   showFile(inFile, refusal) {
     this.workers.giveUp();
     this.inFile = inFile;
@@ -131,7 +130,7 @@ class CellPanel {
     const most = 4 * 1000 * answer.length_m * answer.frequency_rad_per_s;
     Object.assign(this.element("knock"), { min: -most, max: most, step: most / 200 });
   }
-  // Room around both motions, so that there is somewhere to click.
+  // Adds a margin around both motions, so that there is space to click.
   #windowOf({ steady, way }) {
     let [u, v] = [Math.max(1, Math.abs(this.cell.gap_ratio)), 1];
     for (const { samples } of [steady, way]) {
@@ -184,7 +183,7 @@ class CellPanel {
     listen("chart-phase", "click", (event) => {
       const at = this.data && this.charts.phase.valuesAt(event);
       if (!at) return;
-      if (at[0] > this.cell.gap_ratio && this.cell.contact_law === 1) return; // inside a rigid stop nothing starts
+      if (at[0] > this.cell.gap_ratio && this.cell.contact_law === 1) return; // no start inside a rigid stop
       this.startFrom(at[0], at[1], "from the start clicked");
     });
   }

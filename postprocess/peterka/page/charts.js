@@ -1,8 +1,8 @@
-// Diagrams of one cell: displacement and force in time, the hardest impact closely, the phase plane, the multipliers.
+// Diagrams of a cell: displacement and force over time, the hardest impact in close-up, the phase plane, the multipliers.
 
 const MARGINS = { left: 58, right: 10, top: 8, bottom: 34 };
 
-// {scale, unit} in which a length of time reads well.
+// {scale, unit} suited to display a length of time.
 function timeUnit(seconds) {
   if (seconds < 2e-3) return { scale: 1e6, unit: "µs" };
   return seconds < 0.5 ? { scale: 1e3, unit: "ms" } : { scale: 1, unit: "s" };
@@ -49,7 +49,7 @@ class Charts {
     this.drawPhase();
     this.#drawMultipliers();
   }
-  // Where the animation is.
+  // Marks the current position of the animation.
   point({ time, relative, velocity }) {
     if (!this.shown) return;
     const place = (element, plot, x, y) => {
@@ -84,7 +84,7 @@ class Charts {
     plot.line(count, time, (i) => samples[5 * i + 1], ink("cart"), 1.2);
     plot.line(count, time, hammer, ink("hammer"), 1.8);
   }
-  // A sample every so often would miss the top of an impact: each impact's own largest force is drawn at its touch.
+  // Uniform samples would miss the peak of an impact, so each impact's own largest force is drawn at its touch.
   #drawForce() {
     const { count, samples, range, xFactor, xLabel } = this.#time();
     const { impacts } = this.shown.motion;

@@ -1,4 +1,4 @@
-// Colours of cells, as in the pictures of draw.py: of classes, of numbers, and of a file's own words.
+// Colours of cells, as in the pictures of draw.py: for classes, for numbers, and for a file's own words.
 
 const abgr = (colour) => {
   const [red, green, blue] = [1, 3, 5].map((from) => parseInt(colour.slice(from, from + 2), 16));
@@ -18,10 +18,10 @@ function shade(colour, repeat) {
 
 const PERIODIC_COLOUR = "#0072B2";
 const REGIME_COLOURS = content.classes.map((one) => (one.orbit ? PERIODIC_COLOUR : one.colour));
-REGIME_COLOURS[classIndex["other p/q"]] = PERIODIC_COLOUR; // one colour for all that is periodic
+REGIME_COLOURS[classIndex["other p/q"]] = PERIODIC_COLOUR; // one colour for all periodic cells
 
-// A layer paints rows of pixels: paint(out, from, firstCell, columnOfPixel, y) where columnOfPixel is -1 outside.
-// Here by the class of each cell.
+// A layer paints rows of pixels: paint(out, from, firstCell, columnOfPixel, y), where columnOfPixel is -1 outside. This painter
+// uses the class of each cell.
 function classPainter(of_class = content.classes.map((one) => one.colour)) {
   const { raw } = file.labels;
   const colours = Uint32Array.from(content.labels.table, ([, , , number]) => abgr(of_class[number]));
@@ -37,7 +37,7 @@ function classPainter(of_class = content.classes.map((one) => one.colour)) {
 
 const hatched = (x, y) => ((x + y) % 9 < 2 ? HATCH : BARE);
 
-// What has no value, or none to speak of, keeps the colour of its class.
+// Cells without a value, or without a meaningful one, keep the colour of their class.
 const APART = content.apart.map((one) => classIndex[one]);
 
 function numberPainter(layer) {
@@ -64,7 +64,7 @@ function numberPainter(layer) {
   };
 }
 
-// Words, or an attractor's number: a colour each.
+// One colour per word or attractor number.
 function wordPainter(layer, entries) {
   const { raw } = file.labels;
   const missing = content.labels.table.map(([, , , number]) => number === MISSING);
@@ -82,7 +82,7 @@ function wordPainter(layer, entries) {
 const isWords = (layer) => layer.words !== undefined || layer.name === "attractor";
 const CATEGORY_COLOURS = ["#F2F2F2", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442"];
 
-// {number, label, colour} of each word of a layer that occurs.
+// {number, label, colour} of each word that occurs in a layer.
 function wordEntries(layer) {
   if (layer.name === "attractor") return attractorEntries(layer);
   const counts = countsOf(layer.plane);
@@ -93,7 +93,7 @@ function wordEntries(layer) {
     }));
 }
 
-// Attractors of one class in shades of its colour, as draw.py has them; -1: none.
+// Attractors of a class in shades of its colour, as in draw.py; -1: none.
 function attractorEntries(layer) {
   const firsts = new Map();
   const counts = countsOf(layer.plane, (number, cell) => firsts.set(number, cell));
@@ -122,7 +122,7 @@ function countsOf(plane, first = () => {}) {
 const toldCells = file.toldRows * file.columns.values.length;
 const share = (count) => count / toldCells;
 
-// Cells of each class in the file.
+// Number of cells of each class in the file.
 function fileCounts() {
   const counts = new Array(content.classes.length).fill(0);
   const { raw } = file.labels;
@@ -133,13 +133,13 @@ function fileCounts() {
   return counts;
 }
 
-// {label, colour, share} of each class that occurs, in the file or among other counts.
+// {label, colour, share} of each class that occurs, in the file or in other counts.
 function classEntries(counts = fileCounts()) {
   const all = counts.reduce((sum, one) => sum + one, 0) || 1;
   return content.classes.map((one, number) => ({ number, ...one, share: counts[number] / all })).filter((one) => one.share > 0);
 }
 
-// The same with all that is periodic as one.
+// The same with all periodic cells merged.
 function regimeEntries(counts) {
   const entries = classEntries(counts);
   const periodic = entries.filter(({ number }) => REGIME_COLOURS[number] === PERIODIC_COLOUR);
@@ -148,7 +148,7 @@ function regimeEntries(counts) {
   return part > 0 ? [{ label: "periodic", colour: PERIODIC_COLOUR, share: part }, ...others] : others;
 }
 
-// Neither 0 % nor 100 % unless it is exactly that.
+// 0 % and 100 % only if exact.
 function percent(part) {
   const value = 100 * part;
   if (value > 0 && value < 0.1) return "< 0.1 %";

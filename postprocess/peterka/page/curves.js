@@ -1,11 +1,10 @@
-// Curves over the coarse map in which their orbits were looked for: where periodic motions are born, end or change their number
-// of impacts.
+// Curves over the coarse map in which their orbits were searched: where periodic motions are born, end or change their number of impacts.
 
-const CURVE_NEAR = 9; // px: from the pointer to the curve that it means
+const CURVE_NEAR = 9; // px: largest distance from the pointer to the selected curve
 const MOST_CURVE_NAMES = 24;
 const NAMES_APART = 44; // px
 
-// Numbers of all points of the curves: column and row as values of the axes, and what else the file has of them.
+// Numbers of all points of the curves: column and row as values of the axes, and the file's further data.
 const curves = {
   list: content.curves?.list ?? [],
   points: null,
@@ -37,7 +36,7 @@ const curves = {
 };
 
 class CurvesView extends MapView {
-  // hides(): whether the curves are of another rig than what is shown.
+  // hides(): whether the curves belong to a different rig than the one shown.
   constructor(below, above, tell, hides) {
     super(below, above, tell);
     this.hides = hides;
@@ -65,7 +64,7 @@ class CurvesView extends MapView {
     pen.stroke();
     pen.setLineDash([]);
   }
-  // On the screen.
+  // The curve's path on the screen.
   #way(number) {
     const { from, to } = curves.list[number];
     return Array.from({ length: to - from }, (_, point) => {
@@ -82,7 +81,7 @@ class CurvesView extends MapView {
       }
     }
   }
-  // z at the middle of the longest curves that are to be seen, where there is room.
+  // Writes z at the middle of the longest visible curves, where space permits.
   #drawNames(pen) {
     const { left, top, width, height } = this.base.area;
     const seen = ([x, y]) => x > left && x < left + width && y > top && y < top + height;
@@ -103,7 +102,7 @@ class CurvesView extends MapView {
       pen.fillText(`${impacts}/${period}`, ...at);
     }
   }
-  // {curve, point} of the nearest curve, else the cell.
+  // {curve, point} of the nearest curve, or else the cell.
   targetAt(event) {
     return this.#edgeAt(event) ?? super.targetAt(event);
   }
@@ -133,7 +132,7 @@ class CurvesView extends MapView {
   }
 }
 
-// How far a place lies from a line between two others, and which share of it along.
+// Distance of a point from the segment between two others, and the relative position of its foot along the segment.
 function fromSegment([x, y], [x0, y0], [x1, y1]) {
   const [dx, dy] = [x1 - x0, y1 - y0];
   const square = dx * dx + dy * dy;

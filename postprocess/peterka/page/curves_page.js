@@ -1,8 +1,8 @@
-// The page of a file of curves: these over their coarse map, whose cells it shows as that of a map does. A click on a curve gives
-// the motions on both of its sides.
+// The page of a file of curves: the curves over their coarse map, whose cells are shown as on the page of a map. A click on a
+// curve shows the motions on its two sides.
 
 class CurvesPage extends MapPage {
-  edge = null; // {curve, point} that is looked at
+  edge = null; // the selected {curve, point}
 
   async load() {
     await super.load();
@@ -27,7 +27,7 @@ class CurvesPage extends MapPage {
     if (target?.curve === undefined) return super.readOut(target);
     element("readout").textContent = this.#edgeWords(target).join("   ");
   }
-  // What happens there, to which motion, where.
+  // What happens at this point, to which motion, where.
   #edgeWords({ curve, point }) {
     const { kind } = curves.list[curve];
     const [x, y] = curves.values(curve, point);
@@ -64,7 +64,7 @@ class CurvesPage extends MapPage {
     element("edge-step").textContent = refusal ?? "The engine follows the orbit to both sides …";
     if (refusal) return;
     const { step, sides } = await besideCurve(this.workers, curve, point);
-    if (this.edge !== edge) return; // another one was picked meanwhile
+    if (this.edge !== edge) return; // another one was selected meanwhile
     this.#showSides(edge, step, sides);
   }
   #showSides({ curve, point }, step, sides) {
@@ -115,7 +115,7 @@ class CurvesPage extends MapPage {
     this.pickEdge({ curve: curve[0], point: curve[1] });
     return true;
   }
-  // Something to look at: the middle of the longest curve.
+  // Selects the middle of the longest curve.
   pickSomething() {
     const length = ({ from, to }) => to - from;
     const longest = curves.list.reduce((one, other) => (one && length(one) >= length(other) ? one : other), null);

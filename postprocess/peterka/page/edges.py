@@ -1,5 +1,5 @@
-"""What a page shows of a file of curves besides its coarse map: the curves, what happens on them, and of each of their points the
-orbit at forcing phase 0, from which the page's engine follows it to either side."""
+"""Page content of a file of curves besides its coarse map: the curves, their kinds, and for each of their points the orbit
+at forcing phase 0, from which the page's engine follows it to either side."""
 
 from collections.abc import Callable
 from typing import Any
@@ -16,7 +16,7 @@ OF_POINTS = ("point_multiplier", "point_peak_force_ratio", *ORBIT)
 
 
 def edges(file: CurvesFile, keep: Callable[[bytes], int]) -> dict[str, Any]:
-    """{"list": [of each curve its kind, p and q, and where its points begin and end], "points": {name: packed}, ...}."""
+    """{"list": [kind, p, q and range of points of each curve], "points": {name: packed}, ...}."""
     ends = np.cumsum([0, *(len(curve.rows) for curve in file.curves)]).tolist()
     points = {"column": [curve.columns for curve in file.curves], "row": [curve.rows for curve in file.curves]}
     held = [name for name in OF_POINTS if file.curves and file.data.has(name)]
@@ -33,7 +33,7 @@ def edges(file: CurvesFile, keep: Callable[[bytes], int]) -> dict[str, Any]:
 
 
 def _dash(kind):
-    """Lengths of strokes and gaps in its widths; none of a line that is drawn through."""
+    """Lengths of dashes and gaps in line widths; empty for a solid line."""
     style = LOOKS[kind]["linestyle"]
     return [] if style == "-" else list(style[1])
 

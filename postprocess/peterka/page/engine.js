@@ -12,7 +12,8 @@ const ANSWER_NUMBERS = [
   "orbit_velocity", "length_m", "frequency_rad_per_s", "force_n", "weight_n",
 ];
 
-// A cell with `hertz`, its natural frequency, and frequency, gap and start as ratios: those that it gives in SI units are brought there, for its own rig.
+// A cell with `hertz`, its natural frequency, and with frequency, gap and start
+// as ratios; values given in SI units are converted for the cell's own rig.
 function settled(cell) {
   const hertz = cell.natural_frequency_hz ?? Math.sqrt(cell.stiffness_n_per_m / cell.mass_kg) / (2 * Math.PI);
   const metres = cell.amplitude_m;
@@ -25,13 +26,13 @@ function settled(cell) {
   return { ...cell, hertz, ...Object.fromEntries(ratios) };
 }
 
-// What becomes of a cell where an axis, {sets, clears}, has a value.
+// The change of a cell when an axis, {sets, clears}, takes a value.
 function changeOf(axis, value) {
   return { ...Object.fromEntries(axis.clears.map((name) => [name, null])), [axis.sets]: value };
 }
 
-// A settled cell from another start at forcing phase 0: u in A0, its rate in A0 omega. There x = u, and x' = u' + eta; inside a
-// rigid stop nothing starts.
+// A settled cell from another start at forcing phase 0: u in A0, its rate in
+// A0 omega. There x = u, and x' = u' + eta; no start lies inside a rigid stop.
 function startingAt(cell, u, v) {
   const rigid = cell.contact_law === 1;
   return { ...cell, displacement_m: null, velocity_m_per_s: null,
@@ -39,7 +40,7 @@ function startingAt(cell, u, v) {
 }
 
 class Engine {
-  // The C library's ways out, to which the engine has nothing to say.
+  // Stubs of the C library's output calls, which the engine does not need.
   static async from(bytes) {
     const nothing = () => 0;
     const wasi = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
@@ -50,13 +51,13 @@ class Engine {
   constructor(functions) {
     this.functions = functions;
   }
-  // A cell: an object of CELL_NUMBERS, null for what isn't given.
+  // A cell: an object of CELL_NUMBERS, null for numbers not given.
   begin(cell, measures) {
     const numbers = this.#numbers(this.functions.peterka_cell(), CELL_NUMBERS.length);
     CELL_NUMBERS.forEach((name, place) => (numbers[place] = cell[name] ?? NaN));
     this.functions.peterka_begin(measures ? 1 : 0);
   }
-  // True once it is solved; 0 cycles: to the end.
+  // True once the cell is solved; 0 cycles: run to the end.
   advance(cycles) {
     return this.functions.peterka_advance(cycles) === 1;
   }
@@ -68,8 +69,8 @@ class Engine {
     const count = this.functions.peterka_count_points();
     return this.#numbers(this.functions.peterka_points(), 2 * count).slice();
   }
-  // The motion from the cell's start, or its steady one: samples (tau, cart, x - y, its rate, force), impacts (touch,
-  // end, speed, peak force, time pressed), points at the end of each cycle.
+  // The transient from the cell's start, or the steady motion: samples (tau, cart, x - y, its rate, force), impacts (touch, end,
+  // speed, peak force, time in contact), points at the end of each cycle.
   follow(steady, cycles, samples) {
     const followed = this.functions.peterka_follow(steady ? 1 : 0, cycles, samples);
     const impacts = this.functions.peterka_count_impacts();

@@ -29,7 +29,7 @@ PLACE = {"operating_point": ("frequency_ratio", "gap_ratio"), "start": ("displac
 
 
 class NoEngine(Exception):
-    """The page goes without; the message says why and what to do."""
+    """The page has no engine; the message gives the reason and the remedy."""
 
 
 def module(cache: Path | None = None) -> bytes:
@@ -91,7 +91,7 @@ def _fingerprint():
 
 
 def _made_of():
-    """The set of all files of src that the module depends on: its sources, what they include, and how it is built."""
+    """The set of all files of src on which the module depends: its sources, their includes, and the build script."""
     patterns = (SOURCE / "engine_sources.txt").read_text(encoding="utf-8").split()
     waiting = {path for pattern in patterns if not pattern.startswith("!") for path in SOURCE.glob(pattern)}
     waiting -= {SOURCE / pattern[1:] for pattern in patterns}
@@ -106,11 +106,11 @@ def _made_of():
 
 
 def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
-    """{name: number or None} of the file's job in the order of CellNumber; None also for what a cell has for itself.
-    The law's own names stand for its numbers under `contact`."""
+    """{name: number or None} from the file's job in the order of CellNumber; None also for numbers that vary from cell to
+    cell. The law's own names stand for its numbers under `contact`."""
     text = file.data.attribute("job")
     try:
-        job = tomllib.loads(text)  # type: ignore[arg-type]  # what is no text is refused below
+        job = tomllib.loads(text)  # non-text is refused below
         numbers = _numbers(job)
         lacking = [name for name in NEEDED if numbers[name] is None and name not in _set_by_axes(file)]
         if lacking:
@@ -120,7 +120,7 @@ def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
         raise NoEngine(f"the job in the file can't be read ({type(error).__name__}: {str(error)[:100]})") from error
 
 
-# Of an axis by its table and key: the number of CellNumber that it sets; and those that give way to it.
+# For an axis by its table and key: the number of CellNumber that it sets, and those that it replaces.
 OF_AXES = {
     "hammer_mass_kg": "mass_kg", "hammer_natural_frequency_hz": "natural_frequency_hz", "hammer_stiffness_n_per_m": "stiffness_n_per_m",
     "hammer_damping_ns_per_m": "damping_ns_per_m", "hammer_damping_ratio": "damping_ratio",
@@ -134,22 +134,21 @@ GIVE_WAY = {"natural_frequency_hz": ["stiffness_n_per_m"], "stiffness_n_per_m": 
 
 
 def numbers_of_axis(file: OpenedFile, name: str) -> tuple[str, list[str]]:
-    """(the number of a cell that an axis sets, those that it clears). Numbers in SI units whose ratio differs from cell to cell,
-    such as gap_m over the cart's amplitude, are brought to ratios by the page (engine.js, settled)."""
+    """(the number of a cell that an axis sets, those that it clears). SI numbers whose ratio varies from cell to cell, such
+    as gap_m over the cart's amplitude, are converted to ratios by the page (engine.js, settled)."""
     sets = OF_AXES.get(name, name)
     if name.startswith("contact_"):
         try:
             names = LAWS[tomllib.loads(str(file.data.attribute("job")))["contact"]["law"]]
         except (ValueError, KeyError, TypeError):
-            names = ()  # cell_numbers tells what is wrong with the job
+            names = ()  # cell_numbers reports the job's fault
         key = name.removeprefix("contact_")
         sets = f"contact_{('first', 'second', 'third')[names.index(key)]}" if key in names else name
     return sets, GIVE_WAY.get(sets, [])
 
 
 def _place(file, job):
-    """Frequency, gap and start as ratios, whichever unit the job gives them in; in SI units where their ratio differs from cell to
-    cell."""
+    """Frequency, gap and start as ratios, whichever unit the job uses; in SI units if their ratio varies from cell to cell."""
     numbers = {}
     for table, names in PLACE.items():
         for ratio in names:
@@ -166,7 +165,7 @@ def _set_by_axes(file):
 
 
 def _numbers(job):
-    """Of a cell, but its place; None for what isn't given, or what an axis sets."""
+    """The numbers of a cell except its place; None for those not given or set by an axis."""
     hammer, contact, solver = job["hammer"], job["contact"], job["solver"]
     names = LAWS[contact["law"]]
     numbers = {

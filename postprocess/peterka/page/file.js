@@ -1,4 +1,4 @@
-// What the file says, and what the page asks of it.
+// The file's contents, and how the page queries them.
 
 const content = JSON.parse(document.getElementById("content").textContent);
 const [NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_COMPUTED] = [0, 1, 2, 3, 4, 5, -128];
@@ -6,14 +6,13 @@ const [NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_
 const blobOf = (number) => {
   const element = document.getElementById(`blob-${number}`);
   const text = element.textContent;
-  element.remove(); // megabytes that nobody needs any more
+  element.remove(); // megabytes that are no longer needed
   return unpacked(text);
 };
 
-// Ratios along one side. `place` is linear on the screen: the ratio or its logarithm. Cells reach half-way to their
-// neighbours.
+// Ratios along one side. `place` is linear on the screen: the ratio or its logarithm. Cells extend half-way to their neighbours.
 class Axis {
-  // `factor` of the description: from the values to Hz, mm or mm/s; null where the file doesn't tell.
+  // `factor` of the description: from the values to Hz, mm or mm/s; null if the file does not give it.
   constructor(description) {
     Object.assign(this, description);
     const places = this.values.map((value) => this.place(value));
@@ -24,7 +23,7 @@ class Axis {
     this.edges[last + 1] = 2 * places[last] - this.edges[last];
     if (["frequency_ratio", "frequency_hz"].includes(this.name) && !this.log) this.edges[0] = Math.max(this.edges[0], 0);
   }
-  // Three cells, as places.
+  // Width of three cells, as places.
   get narrowest() {
     return (3 * (this.edges.at(-1) - this.edges[0])) / this.values.length;
   }
@@ -49,19 +48,19 @@ class Axis {
   }
 }
 
-// A map's cells lie in rows and columns; of a sweep the rows are its tracks, branches first, and the cells their points.
+// A map's cells lie in rows and columns; for a sweep the rows are its tracks, branches first, and the cells their points.
 const rowCount = content.rows?.values.length ?? content.tracks.length;
 
 const file = {
   columns: new Axis(content.columns),
   rows: content.rows ? new Axis(content.rows) : null,
   rowCount,
-  // Rows that shares are told of.
+  // Rows over which shares are computed.
   toldRows: content.branches ?? rowCount,
-  // What of a cell both axes, or the axis of a sweep and the gap of a branch, set, and clear.
+  // The numbers of a cell that both axes, or a sweep's axis and a branch's gap, set and clear.
   sides: [content.columns, content.rows ?? content.gap].filter(Boolean).map(({ sets, clears }) => ({ sets, clears })),
-  labels: null, // number of the label of each cell
-  // `first`: the row of a layer's first one; `samples`: how many numbers a cell has.
+  labels: null, // index of each cell's label
+  // `first`: row at which a layer begins; `samples`: numbers per cell.
   layers: content.layers.map((layer) => ({ first: 0, rows: rowCount, samples: 1, ...layer, plane: null })),
   isBasin: content.kind === "basin",
 
@@ -85,7 +84,7 @@ const file = {
   label(row, column) {
     return content.labels.table[this.labels.at(this.index(row, column))];
   },
-  // As the file has it.
+  // As stored in the file.
   value(row, column) {
     if (!this.holds(row, column)) throw new RangeError(`the ${content.kind} has no cell in row ${row}, column ${column}`);
     const [regime, impacts, period] = this.label(row, column);
@@ -106,7 +105,7 @@ const classOfOrbit = new Map(
   content.classes.flatMap((one, number) => (one.orbit ? [[one.orbit.join("/"), number]] : [])),
 );
 
-// The class of a cell, as classes.py tells it, and as the file's own cells of that class are shown.
+// The class of a cell, as in classes.py, and as displayed for the file's own cells of that class.
 function classOf(regime, impacts, period) {
   if (regime === PERIODIC) return content.labels.shown[classOfOrbit.get(`${impacts}/${period}`) ?? classIndex["other p/q"]];
   const names = {
@@ -116,7 +115,7 @@ function classOf(regime, impacts, period) {
   return classIndex[names[regime]];
 }
 
-// z = p/q where there is one, else the regime, as words.
+// z = p/q if there is one, otherwise the regime, as words.
 function labelWords(regime, impacts, period) {
   if (regime === PERIODIC) return `z = ${impacts}/${period}`;
   return content.classes[classOf(regime, impacts, period)].label;

@@ -1,8 +1,7 @@
-"""What the cells of a file say, or the points of a sweep's branches, as planes for a page: their labels, and one layer for each
-dataset.
+"""Cells of a file, or points of a sweep's branches, as planes for a page: their labels, and one layer per dataset.
 
-A map of up to EXACT_CELLS cells has every dataset that lies on its cells, to the last bit. Of a larger one only labels
-and peak force are taken unless others are asked for, and real numbers are shortened to what `room` bytes hold.
+A map of up to EXACT_CELLS cells has every dataset on its cells, exactly. For a larger map only labels and peak force are
+included unless others are requested, and real numbers are shortened to fit into `room` bytes.
 """
 
 from collections.abc import Sequence
@@ -21,22 +20,22 @@ from ..maps.map_file import PeterkaFile
 from . import planes
 
 EXACT_CELLS = 2**20
-MOST_CELLS = 2**24  # of a page; --every takes a part of a larger map
+MOST_CELLS = 2**24  # limit of a page; --every takes a part of a larger map
 MOST_LABELS = 65536
 LABELS = ("regime", "impacts", "period")
 TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", "cycles": "cycles spent"}
-TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
+TOP_SHARE = 99.9  # of the values: isolated larger cells do not stretch the scale
 
 
 def labels(file: PeterkaFile, every: int) -> tuple[dict[str, Any], bytes]:
-    """As numbered_labels, of each cell."""
+    """As numbered_labels, for each cell."""
     bands = list(_bands(file, LABELS, every))
     return numbered_labels(file, {name: np.concatenate([band[name] for band in bands]) for name in LABELS})
 
 
 def numbered_labels(file: OpenedFile, cells: dict[str, np.ndarray]) -> tuple[dict[str, Any], bytes]:
-    """({"table": [[regime, p, q, class], ...], "shown": [of each class as which it is shown], ...}, bytes): the label of each
-    cell as a number of the table. `cells`: {dataset: (rows, columns)} of LABELS."""
+    """({"table": [[regime, p, q, class], ...], "shown": [displayed class of each class], ...}, bytes): each cell's label as
+    an index into the table. `cells`: {dataset: (rows, columns)} of LABELS."""
     key = _key(cells)
     found, index, counts = np.unique(key, return_inverse=True, return_counts=True)
     if len(found) > MOST_LABELS:
@@ -50,15 +49,14 @@ def numbered_labels(file: OpenedFile, cells: dict[str, np.ndarray]) -> tuple[dic
 
 
 def datasets(file: PeterkaFile, asked: Sequence[str] | None) -> list[str]:
-    """Names of the datasets that become layers: peak force in any case, for scripts ask for it."""
+    """Names of the datasets that become layers: always peak force, which scripts rely on."""
     if asked is None:
         asked = file.data.names() if file.shape[0] * file.shape[1] <= EXACT_CELLS else []
     return ["peak_force_ratio", *(name for name in asked if name not in (*LABELS, "peak_force_ratio"))]
 
 
 def layers_of(file: PeterkaFile, name: str, every: int, room: int) -> list[tuple[dict[str, Any], bytes]] | None:
-    """[({description}, bytes), ...] of a dataset: one, or one per slot of [slot][row][column]. None where it isn't a
-    number per cell."""
+    """[({description}, bytes), ...] of a dataset: one, or one per slot for [slot][row][column]. None if it is not a number per cell."""
     shape = shape_of(file, name)
     if shape == file.shape:
         return [layer(file, name, name, file.data.values(name, slice(None))[::every, ::every], room)]
@@ -70,12 +68,12 @@ def layers_of(file: PeterkaFile, name: str, every: int, room: int) -> list[tuple
 
 
 def viridis() -> list[str]:
-    """The pictures' scale of colours, from low to high."""
+    """The colour scale of the pictures, from low to high."""
     return [to_hex(colour) for colour in colormaps["viridis"](np.linspace(0, 1, 256))]
 
 
 def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: int = 0) -> tuple[dict[str, Any], bytes]:
-    """({description}, bytes) of values of a dataset, (rows, columns), under a name: exact, or to what `room` bytes hold."""
+    """({description}, bytes) of values of a dataset, (rows, columns), under a name: exact, or shortened to fit into `room` bytes."""
     description: dict[str, Any] = {
         "name": name,
         "title": TITLES.get(dataset, dataset.replace("_", " ")) + name[len(dataset):].replace("[", " ").replace("]", ""),
@@ -93,7 +91,7 @@ def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: i
 
 
 def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:
-    """None where it is no dataset of numbers."""
+    """The shape; None if it is not a dataset of numbers."""
     try:
         return file.data.dataset(name, None, INTEGER + REAL).shape
     except PeterkaFileError:
@@ -130,6 +128,6 @@ def _key(band):
 
 
 def _bands(file, names, every):
-    """Bands of rows, checked, of which every `every`-th row and column is kept."""
+    """Checked bands of rows, keeping every `every`-th row and column."""
     for _, band in file.bands(list(names), every):
         yield {name: values[::every, ::every] for name, values in band.items()}

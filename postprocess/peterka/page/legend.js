@@ -1,6 +1,6 @@
-// The legend of the layer shown: classes and words with their shares, or a scale of colours.
+// The legend of the layer shown: classes and words with their shares, or a colour scale.
 
-// counts: cells of each class of a live map, whose shares are told in place of the file's.
+// counts: cells of each class of a live map, whose shares replace the file's.
 function drawLegend(parent, layer, counts = undefined) {
   parent.replaceChildren();
   if (layer.name === "z") return entriesInto(parent, classEntries(counts));
@@ -41,7 +41,7 @@ function entriesInto(parent, entries) {
   parent.append(list);
 }
 
-// Marks of branches with their words: [shape, words].
+// Branch marks and their descriptions: [shape, words].
 function marksInto(parent, marks) {
   const list = Object.assign(document.createElement("ul"), { className: "entries" });
   for (const [shape, words] of marks) {
@@ -52,7 +52,7 @@ function marksInto(parent, marks) {
   parent.append(list);
 }
 
-// Lines of curves with their words: {words, colour, dash}.
+// Line styles of curves and their descriptions: {words, colour, dash}.
 function linesInto(parent, lines) {
   const list = Object.assign(document.createElement("ul"), { className: "entries" });
   for (const { words, colour, dash } of lines) {

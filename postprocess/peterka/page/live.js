@@ -1,8 +1,8 @@
-// A plane of cells that the workers compute while the page waits, coarse to fine: a live map, or the basin of a cell.
+// A plane of cells computed by the workers while the page is idle, coarse to fine: a live map, or the basin of a cell.
 
-const COARSEST = 16; // cells of the first pass stand so far apart
+const COARSEST = 16; // spacing of the cells in the first pass
 
-// Places of a grid of size x size, those of the coarsest pass first: [[place, stride], ...].
+// Cells of a size x size grid, those of the coarsest pass first: [[place, stride], ...].
 function coarseToFine(size) {
   const order = [];
   for (let stride = COARSEST; stride >= 1; stride /= 2) {
@@ -23,15 +23,15 @@ class LivePlane {
     this.canvas = Object.assign(document.createElement("canvas"), { width: this.size, height: this.size });
     this.image = new ImageData(this.size, this.size);
     this.pixels = new Uint32Array(this.image.data.buffer);
-    this.strides = new Uint8Array(this.size ** 2).fill(255); // of the cell that coloured a pixel
+    this.strides = new Uint8Array(this.size ** 2).fill(255); // stride of the cell that coloured a pixel
     this.todo = coarseToFine(this.size).filter(([place]) => this.#values(place));
-    this.has = new Uint8Array(this.size ** 2); // where there is anything to compute: coarse cells must not spill beyond
+    this.has = new Uint8Array(this.size ** 2); // mask of cells to compute: coarse cells must not extend beyond it
     for (const [place] of this.todo) this.has[place] = 1;
     this.count = this.todo.length;
     this.done = 0;
-    this.kinds = new Array(content.classes.length).fill(0); // cells of each class
+    this.kinds = new Array(content.classes.length).fill(0); // number of cells of each class
     this.begun = performance.now();
-    this.todo.reverse(); // the next one is the last
+    this.todo.reverse(); // the next one is last
     this.workers.begin(this);
   }
   end() {
@@ -68,7 +68,7 @@ class LivePlane {
   #values(place) {
     return this.valuesAt(place % this.size, Math.floor(place / this.size));
   }
-  // Row 0 is the lowest.
+  // Row 0 is at the bottom.
   #paint(place, stride, colour) {
     const [i, j] = [place % this.size, Math.floor(place / this.size)];
     for (let row = j; row < Math.min(j + stride, this.size); ++row) {
@@ -84,14 +84,14 @@ class LivePlane {
 
 const LIVE_SIZE = 128;
 
-// The value at a place of an axis, or of what lies beyond its end: nothing below 0 where the axis has no such value.
+// The value at a place of an axis, also beyond its ends; negative only if the axis has negative values.
 function valueInside(axis, place) {
   const value = axis.value(place);
   const least = axis.name.includes("frequency") || axis.log ? 1e-6 * axis.values.at(-1) : 0;
   return axis.values[0] >= 0 ? Math.max(value, least) : value;
 }
 
-// The window of the map, computed again for this rig.
+// The window of the map, recomputed for this rig.
 function liveMap(workers, cell, view, layer, changed) {
   const at = ([from, to], n) => from + ((n + 0.5) / LIVE_SIZE) * (to - from);
   const plane = new LivePlane({
@@ -103,7 +103,7 @@ function liveMap(workers, cell, view, layer, changed) {
   return plane;
 }
 
-// A live map knows z and peak force.
+// A live map provides z and peak force.
 function liveColour(layer) {
   if (layer.name === "regime") return (regime, p, q) => abgr(REGIME_COLOURS[classOf(regime, p, q)]);
   if (layer.name !== "peak_force_ratio") return (regime, p, q) => CLASS_COLOURS[classOf(regime, p, q)];

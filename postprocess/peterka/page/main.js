@@ -1,6 +1,5 @@
-// The page of the file's kind begins. For scripts: value(row, column) is the file's, solve(row, column) a promise of the
-// engine's; of a sweep, row is a branch and column a point of it. Of curves, beside(curve, point) is a promise of what lives on
-// either side.
+// Starts the page for the file's kind. For scripts: value(row, column) is the file's, solve(row, column) a promise of the engine's; for a
+// sweep, row is a branch and column a point of it. For curves, beside(curve, point) is a promise of the motions on either side.
 
 const pages = { sweep: SweepPage, curves: CurvesPage };
 const page = new (pages[content.kind] ?? MapPage)();

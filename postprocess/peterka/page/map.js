@@ -1,12 +1,12 @@
-// The map on its plane: cells, the live ones, the line of the free swing, the cell under the pointer.
+// The map on its plane: cells, live cells, the line of the free swing, the cell under the pointer.
 
 class MapView extends PlaneView {
   constructor(below, above, tell) {
     super(below, above, { x: file.columns, y: file.rows }, tell);
-    this.paint = null; // of the layer shown
+    this.paint = null; // painter of the layer shown
     this.patch = null; // live map: {view, size, canvas}
-    this.edge = null; // gap at which a free hammer touches, by frequency ratio
-    this.stop = null; // the gap of a basin
+    this.edge = null; // gap at which a freely swinging hammer grazes, by frequency ratio
+    this.stop = null; // gap of a basin
   }
   drawContent() {
     if (this.paint) this.#drawCells();
@@ -26,7 +26,7 @@ class MapView extends PlaneView {
     return file.holds(cell.row, cell.column) ? cell : null;
   }
 
-  // Each pixel shows the cell in its middle.
+  // Each pixel shows the cell at its centre.
   #drawCells() {
     const scale = this.base.canvas.width / this.base.canvas.getBoundingClientRect().width;
     const { left, top, width, height } = this.base.area;
@@ -72,7 +72,7 @@ class MapView extends PlaneView {
     this.top.line(count, x, y, "#FFFFFF", 2.6, [6, 4]);
     this.top.line(count, x, y, "#000000", 1.2, [6, 4]);
   }
-  // Where the stop is at the start, in a basin.
+  // The stop's position at the start, in a basin.
   #drawStop() {
     const gap = this.stop;
     if (!Number.isFinite(gap)) return;

@@ -1,4 +1,4 @@
-// The page of a map or a basin: its cells, and sliders of the rig for which the window shown is computed again.
+// The page of a map or a basin: its cells, and sliders of the rig for which the window shown is recomputed.
 
 const USUAL_AXES = ["frequency_ratio", "gap_ratio", "displacement_ratio", "velocity_ratio"];
 const Z_LAYER = { name: "z", title: "z = p/q" };
@@ -12,7 +12,7 @@ function painterOf(layer) {
 
 class MapPage extends Page {
   layers = [Z_LAYER, REGIME_LAYER, ...file.layers];
-  place = null; // [across, up] of the cell that is looked at
+  place = null; // [across, up] of the selected cell
 
   makeView(tell) {
     return new MapView(element("map"), element("map-top"), tell);
@@ -35,7 +35,7 @@ class MapPage extends Page {
   pick({ row, column }) {
     this.pickPlace(file.columns.values[column], file.rows.values[row], { row, column });
   }
-  // The cell nearest to a place of the map, or the place itself where the sliders lead.
+  // The cell nearest to a place of the map, or the place itself if set by the sliders.
   pickPlace(x, y, cell = null) {
     this.place = [x, y];
     this.view.setPicked(file.columns.place(x), file.rows.place(y));
@@ -93,7 +93,7 @@ class MapPage extends Page {
   #edge() {
     if (file.isBasin) this.view.stop = this.rig?.cell.gap_ratio ?? content.place.gap_ratio;
     const zeta = this.rig ? (this.rig.changes.damping_ratio ?? content.damping_ratio) : content.damping_ratio;
-    const isUsual = file.columns.name === "frequency_ratio" && file.rows.name === "gap_ratio"; // the line is one of that plane; curves are more exact
+    const isUsual = file.columns.name === "frequency_ratio" && file.rows.name === "gap_ratio"; // the line exists only in that plane; curves are more exact
     if (isUsual && !content.curves && zeta !== null) this.view.edge = (ratio) => ratio ** 2 / Math.hypot(1 - ratio ** 2, 2 * zeta * ratio);
     this.view.drawTop();
   }
@@ -148,7 +148,7 @@ class MapPage extends Page {
     if (this.rig && (live || this.rig.differs)) this.#setLive(true);
     this.#edge();
   }
-  // Something to look at: the periodic cell nearest to the middle.
+  // Selects the periodic cell nearest to the centre.
   pickSomething() {
     const [rows, columns] = [file.rows.values.length, file.columns.values.length];
     const step = Math.ceil(Math.max(rows, columns) / 256);
@@ -161,9 +161,9 @@ class MapPage extends Page {
     }
     if (cell) this.pick(cell);
   }
-  // For scripts: a promise of what the engine finds in a cell.
+  // For scripts: a promise of the engine's result for a cell.
   solve(row, column) {
-    file.value(row, column); // says so where there is no such cell
+    file.value(row, column); // throws if there is no such cell
     return this.workers.solve(content.cell, file.sides, [file.columns.values[column], file.rows.values[row]]);
   }
 }

@@ -1,5 +1,5 @@
-// What every page does: shows the layers of a file, begins the engine, follows the address and the keys. What is particular to a
-// kind of file, its page adds: layers, makeView(), paint(layer), sizeWords(), readOut(target), pick(target), placeOfAddress(),
+// Behaviour common to all pages: shows the layers of a file, starts the engine, handles the address and the keys. The page of
+// each kind of file adds: layers, makeView(), paint(layer), sizeWords(), readOut(target), pick(target), placeOfAddress(),
 // goTo(address), pickSomething().
 
 const element = (id) => document.getElementById(id);
@@ -25,7 +25,7 @@ class Page {
     await this.#followAddress();
     document.documentElement.dataset.ready = "true";
   }
-  // What the first picture needs.
+  // Loads what the first picture needs.
   load() {
     return file.loadLabels();
   }
@@ -65,7 +65,7 @@ class Page {
   drawLegend() {
     drawLegend(element("legend"), this.layer, this.view.patch?.kinds);
   }
-  // What the file has of a target, and of it a number of the layer shown, in words.
+  // The file's data for a target: the force, and a value of the layer shown, in words.
   forceWords(force) {
     return force > 0 ? `${content.newtons ? `${digits(force * content.newtons, 4)} N · ` : ""}${digits(force, 4)} m g` : "";
   }
@@ -96,7 +96,7 @@ class Page {
     this.listens = true;
   }
   followed() {}
-  // What of an address this page doesn't follow, for it was made by another version or for another file.
+  // The parts of an address that this page ignores, as it was made by another version or for another file.
   #strangeWords({ rig, version }) {
     const strange = rig.filter(([name, value]) => !this.rig?.takes(name, Number(value)));
     const parts = strange.map(([name, value]) => `${name} = ${value} isn't of this page's rig and is left out`);
@@ -137,7 +137,7 @@ class Page {
     this.panel?.charts.draw();
     this.panel?.stage.draw();
   }
-  // Of the engine for scripts: refuses as an error.
+  // For scripts: resolves once the engine can run the file's cells; rejects with the reason if it cannot.
   async ready() {
     await this.begun;
     if (!this.workers) throw new Error(content.missing);
@@ -146,7 +146,7 @@ class Page {
   }
 }
 
-// A coordinate in both of its units, to so many digits.
+// A coordinate in both of its units, to this many digits.
 function bothUnits({ symbol, factor, unit }, value, count = 5) {
   return `${symbol} ${digits(value, count)}${factor ? ` · ${digits(value * factor, Math.max(count, 5) - 1)} ${unit}` : ""}`;
 }

@@ -1,5 +1,5 @@
-"""A map, basin, sweep or file of curves as one page of HTML that needs neither a server nor a network: its cells, the engine, and
-the scripts that show them, all inside. Whatever comes out of the file is data there, never HTML."""
+"""A map, basin, sweep or file of curves as a single HTML page that needs neither server nor network: its cells, the engine,
+and the scripts that display them are embedded. Everything from the file is data there, never HTML."""
 
 import base64
 import html
@@ -22,12 +22,12 @@ from . import edges, layers, tracks
 from .engine import NoEngine, cell_numbers, module, numbers_of_axis, version
 
 FOLDER = Path(__file__).resolve().parent
-# in this order, in one scope; those of WORKER once more in a scope of their own
+# in this order, in one scope; those of WORKER again in a scope of their own
 SCRIPTS = ["planes.js", "file.js", "engine.js", "colours.js", "plot.js", "view.js", "map.js", "branches.js", "curves.js",
            "workers.js", "live.js", "basin.js", "sides.js", "stage.js", "charts.js", "words.js", "cell.js", "rig.js", "legend.js",
            "address.js", "page.js", "map_page.js", "sweep_page.js", "curves_page.js", "main.js"]
 WORKER = ["engine.js", "worker.js"]
-ROOM = 7_200_000  # bytes for all planes of a large map: 10 MB once they are text
+ROOM = 7_200_000  # bytes for all planes of a large map: 10 MB after encoding as text
 AXES = {
     "frequency_ratio": ("Ω/ω", "excitation frequency", "Hz"),
     "gap_ratio": ("gap/A₀", "gap", "mm"),
@@ -39,8 +39,8 @@ AXES = {
 
 
 def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
-    """(text of the page, sentences for the user) of an open file. `every` n-th row and column of its cells, and the layers that
-    are `asked` for, or those that have room."""
+    """(text of the page, sentences for the user) of an open file. `every`: stride in rows and columns of its cells; `asked`:
+    the layers requested; by default those that fit."""
     blobs: list[str] = []
     notes: list[str] = []
     content = _header(file, every)
@@ -93,7 +93,7 @@ def _of_cells(file, every, asked, blobs):
 
 
 def _of_sweep(file, asked, blobs):
-    """`gap`: the coordinate of which each track has a value; None where that is the axis, or each point has one of its own."""
+    """`gap`: the coordinate with a value per track; None if it is the axis, or varies from point to point."""
     keep = partial(_keep, blobs)
     labels, packed = tracks.labels(file)
     return tracks.described(file) | {
@@ -111,7 +111,7 @@ def _axis(file, axis, every=1):
 
 
 def _coordinate(file, name):
-    """`factor`: from the values to `unit`, None where the file doesn't tell; `sets`, `clears`: numbers of a cell (engine.py)."""
+    """`factor`: from the values to `unit`, None if the file does not give it; `sets`, `clears`: numbers of a cell (engine.py)."""
     symbol, about, unit = AXES.get(name) or _plain_words(name)
     scale = si_scale(file, name)
     factor = scale and (1000 * scale[1] if unit == "mm/s" else scale[1])
@@ -120,7 +120,7 @@ def _coordinate(file, name):
 
 
 def _plain_words(name):
-    """(symbol, about, unit) of any other axis, from what pictures call it: without mathematics."""
+    """(symbol, about, unit) of any other axis, from its label in pictures, without mathematics."""
     words = label(name).replace("$x", "x$").replace(r"$\dot{x}", "ẋ$")
     words = re.sub(r" ?\$[^$]*\$", "", words).strip() or name
     millimetres = name in IN_MILLIMETRES
@@ -164,7 +164,7 @@ def _filled(content, blobs, title):
 
 
 def _inert(text):
-    """JSON in which nothing can end its script."""
+    """JSON in which nothing can terminate the enclosing script element."""
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 

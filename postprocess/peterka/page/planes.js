@@ -1,4 +1,4 @@
-// Unpacks the arrays of numbers that planes.py packs: each becomes a function from the number of a cell to its value.
+// Unpacks the number arrays packed by planes.py: each becomes a function from a cell's index to its value.
 
 async function unpacked(text) {
   const stream = new Blob([fromBase64(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
@@ -13,7 +13,7 @@ function fromBase64(text) {
   return bytes;
 }
 
-// Bytes of equal weight lie together, the lightest first.
+// Bytes of equal weight are stored together, the least significant first.
 function byWeight(bytes, size, from = 0) {
   const count = (bytes.length - from) / size;
   if (size === 1) return bytes.subarray(from);
@@ -40,7 +40,7 @@ function planeOf(description, bytes, columns) {
   return shortReals(description.bits, bytes, columns);
 }
 
-// Numbers with a shortened mantissa, each stored as the difference to what its neighbours let expect.
+// Numbers with a shortened mantissa, each stored as the difference from a prediction by its neighbours.
 function shortReals(bits, bytes, columns) {
   const count = bytes.length / 5;
   const mask = bytes.subarray(0, count);

@@ -1,9 +1,8 @@
-"""Arrays of numbers for a page: compressed bytes that a browser unpacks by itself (zlib), and how to read them.
+"""Arrays of numbers for a page: compressed bytes that a browser decompresses natively (zlib), and a description of their format.
 
-An integer is stored less its smallest value, in as few bytes as hold it; a real number as it is, or with so many bits
-of its mantissa. Bytes of equal weight lie together. Of shortened numbers each is stored as the difference to what its
-left, lower and lower left neighbours let expect, where a zero or NaN is passed over: a mask tells these.
-JavaScript that reads them: planes.js.
+An integer is stored minus the array's smallest value, in the fewest bytes; a real number as is, or with a reduced number of
+mantissa bits. Bytes of equal weight are stored together. Shortened numbers are stored as differences from a prediction by
+their left, lower and lower left neighbours; zeros and NaNs are skipped and recorded in a mask. JavaScript reader: planes.js.
 """
 
 import zlib
@@ -14,7 +13,7 @@ import numpy as np
 from ..arrays import Integers, Reals
 
 EXACT = 52  # bits of a mantissa
-SHORT_BITS = (20, 18, 16, 14, 12, 10, 8)  # of shortened numbers: six digits to two
+SHORT_BITS = (20, 18, 16, 14, 12, 10, 8)  # of shortened numbers: six digits down to two
 NORMAL, ZERO, NOT_A_NUMBER = 0, 1, 2
 
 
@@ -45,13 +44,13 @@ def short_reals(values: Reals, bits: int) -> tuple[dict[str, Any], bytes]:
     expected[1:] += filled[:-1]
     expected[1:, 1:] -= filled[:-1, :-1]
     difference = (filled - expected).view(np.int32)
-    folded = ((difference << 1) ^ (difference >> 31)).astype("<u4")  # small numbers of either sign: small ones
+    folded = ((difference << 1) ^ (difference >> 31)).astype("<u4")  # zigzag: small numbers of either sign become small
     packed = zlib.compress(mask.tobytes() + _by_weight(folded), 6)
     return {"as": "short", "bits": bits, "digits": int(bits * np.log10(2))}, packed
 
 
 def _carried_on(values, valid):
-    """Each row with what isn't valid replaced by the last valid one before it; 0 where there is none."""
+    """Each row with invalid entries replaced by the last valid one before them; 0 if there is none."""
     place = np.where(valid, np.arange(values.shape[1]), -1)
     last = np.maximum.accumulate(place, axis=1)
     return np.where(last >= 0, np.take_along_axis(values, np.maximum(last, 0), axis=1), 0).astype(np.uint32)

@@ -1,8 +1,8 @@
-// A canvas with axes: frames, ticks, lines and points, sharp on any screen and in the colours of the page.
+// A canvas with axes: frames, ticks, lines and points, sharp on any screen and in the page's colours.
 
 const ink = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-// Round numbers between two values, about so many.
+// About `count` round numbers between two values.
 function ticksBetween(low, high, count) {
   const rough = (high - low) / Math.max(count, 1);
   if (!(rough > 0) || !Number.isFinite(rough)) return { values: [], step: 1 };
@@ -13,7 +13,7 @@ function ticksBetween(low, high, count) {
   return { values, step };
 }
 
-// 1, 2, 5, 10, ... between two values, no more than so many.
+// 1, 2, 5, 10, ... between two values, at most `count`.
 function logTicks(low, high, count) {
   const all = [];
   for (let n = Math.floor(Math.log10(low)); n <= Math.ceil(Math.log10(high)); ++n) {
@@ -34,7 +34,7 @@ function tickText(value, step) {
 
 const signed = (text) => text.replace("-", "−");
 
-// A number for reading: so many digits, no more.
+// A number for display, with at most `count` digits.
 function digits(value, count = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (value === 0) return "0";
@@ -56,13 +56,13 @@ class Plot {
     this.margins = margins;
     this.pen = canvas.getContext("2d");
   }
-  // Clears the canvas for these ranges [from, to] along both axes.
+  // Clears the canvas and sets these ranges [from, to] along both axes.
   frame(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const scale = window.devicePixelRatio || 1;
     const [width, height] = [Math.round(box.width * scale), Math.round(box.height * scale)];
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-    this.letter = parseFloat(getComputedStyle(this.canvas).fontSize) / 14; // 1 on a screen of usual size
+    this.letter = parseFloat(getComputedStyle(this.canvas).fontSize) / 14; // 1 on a screen of standard size
     const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map((side) => this.letter * this.margins[side]);
     this.area = { left, top, width: Math.max(box.width - left - right, 1), height: Math.max(box.height - top - bottom, 1) };
     [this.x, this.y] = [x, y];
@@ -71,7 +71,7 @@ class Plot {
     this.write(11);
     this.pen.lineWidth = 1;
   }
-  // Letters of this size [CSS pixels, on a screen of usual size].
+  // Font of this size [CSS pixels, on a screen of standard size].
   write(size) {
     this.pen.font = `${size * this.letter}px ${ink("numbers")}`;
   }
@@ -81,7 +81,7 @@ class Plot {
   up(value) {
     return this.area.top + this.area.height - ((value - this.y[0]) / (this.y[1] - this.y[0])) * this.area.height;
   }
-  // The values under a pointer event; null outside of the area.
+  // The values under a pointer event; null outside the plot area.
   valuesAt(event) {
     const box = this.canvas.getBoundingClientRect();
     const { left, top, width, height } = this.area;
@@ -99,7 +99,7 @@ class Plot {
     draw(this.pen);
     this.pen.restore();
   }
-  // Of sides "x", "y": grid lines, ticks and a label; factor: from the values to the numbers written.
+  // For the sides "x", "y": grid lines, ticks and a label; factor: from the values to the displayed numbers.
   axes({ xLabel = "", yLabel = "", xFactor = 1, yFactor = 1, xTicks = true }) {
     const { left, top, width, height } = this.area;
     const pen = this.pen;
@@ -144,7 +144,7 @@ class Plot {
     this.pen.lineTo(x1, y1);
     this.pen.stroke();
   }
-  // xAt(i) and yAt(i) of so many points.
+  // A line through xAt(i) and yAt(i) for `count` points.
   line(count, xAt, yAt, colour, width = 1.4, dash = []) {
     this.clipped((pen) => {
       pen.strokeStyle = colour;

@@ -1,10 +1,10 @@
-// The sliders: numbers of the rig that a live map is computed for, and the place of the cell that is looked at.
+// The sliders: numbers of the rig for which a live map is computed, and the place of the selected cell.
 
 class Rig {
-  // changed(kind): "rig" for the sliders of the rig, "place" for those of the axes.
+  // changed(kind): "rig" for sliders of the rig, "place" for sliders of the axes.
   constructor(parent, changed) {
     this.changed = changed;
-    this.changes = {}; // of the file's cell numbers
+    this.changes = {}; // relative to the file's cell numbers
     const axes = new Set(file.sides.flatMap(({ sets, clears }) => [sets, ...clears]));
     const others = [...rigSliders(), ...placeSliders()].filter(({ name, twin }) => !axes.has(name) && !axes.has(twin));
     const onAxes = file.isBasin ? [] : [file.columns, file.rows].map(axisSlider);
@@ -25,7 +25,7 @@ class Rig {
     this.changes = Object.fromEntries(Object.entries(this.changes).filter(([name]) => kept.includes(name)));
     this.changed("rig");
   }
-  // The sliders follow a picked place: [across, up].
+  // Moves the sliders to a picked place: [across, up].
   setPlace(values) {
     file.sides.forEach((side, n) => {
       Object.assign(this.changes, changeOf(side, values[n]));
@@ -43,7 +43,7 @@ class Rig {
   }
   takes(name, value) {
     const slider = this.sliders.find((one) => one.name === name && one.kind === "rig");
-    const slack = 1e-6; // an address has nine digits
+    const slack = 1e-6; // addresses have nine digits
     return slider !== undefined && value >= slider.from * (1 - slack) && value <= slider.to * (1 + slack);
   }
   take(name, value) {
@@ -74,7 +74,7 @@ function rigSliders() {
   return [stop("contact_first", "stop stiffness", "N/m", 1000, 100), stop("contact_second", "stop damping", "Ns/m", 100, 10), damping];
 }
 
-// Of an axis of a map, within it.
+// Slider of a map's axis, within its range.
 function axisSlider(axis) {
   const [first, last] = [axis.values[0], axis.values.at(-1)];
   const from = axis.sets.startsWith("frequency") ? Math.max(first, 0.05 * (axis.sets === "frequency_ratio" ? 1 : last)) : first;
@@ -85,7 +85,7 @@ function axisSlider(axis) {
   };
 }
 
-// Frequency and gap that all cells share, in Hz and mm where the file tells them.
+// Frequency and gap common to all cells, in Hz and mm if the file gives them.
 function placeSliders() {
   const { hertz, amplitude_m: amplitude, cell } = content;
   const slider = (ratio, si, label, factor, unit, siFactor, siUnit) => {

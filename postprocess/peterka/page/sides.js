@@ -1,10 +1,10 @@
-// What lives a small step to either side of a curve: the engine goes on there from the orbit on the curve. On one side that
-// orbit's motion lives, on the other it has become another one.
+// The motions a small step to either side of a curve, to which the engine continues from the orbit on the curve. That orbit's
+// motion exists on one side; on the other it has become a different one.
 
-const STEPS = [1e-3, 2.5e-4, 6e-5, 1.5e-5, 4e-6, 1e-6]; // of the window: a shorter one where other edges lie within the longer one
+const STEPS = [1e-3, 2.5e-4, 6e-5, 1.5e-5, 4e-6, 1e-6]; // relative to the window: shorter steps where other edges lie within the longer ones
 
-// A promise of {step, sides: [{values, cell, found, keeps}, ...]}, of the side with the smaller coordinate first: by the longest step
-// with the motion on one side and another one across, else by the longest of all.
+// A promise of {step, sides: [{values, cell, found, keeps}, ...]}, the side with the smaller coordinate first, for the longest
+// step with the motion on one side and a different one across, or else the longest of all.
 async function besideCurve(workers, curve, point) {
   let first = null;
   for (const step of STEPS) {
@@ -19,7 +19,7 @@ async function besideCurve(workers, curve, point) {
 
 async function sideOf(workers, curve, point, step) {
   const values = valuesBeside(curve, point, step);
-  // curves are those of springs without their cubic term
+  // curves are computed for springs without their cubic term
   const rig = Object.assign({ ...content.cell, cubic_stiffness_n_per_m3: 0 }, ...file.sides.map((side, n) => changeOf(side, values[n])));
   const [u, v] = ["orbit_displacement", "orbit_velocity"].map((name) => curves.number(name, curve, point));
   const cell = startingAt(settled(rig), u, v);
@@ -27,7 +27,8 @@ async function sideOf(workers, curve, point, step) {
   return { values, cell, found, keeps: isMotionOf(curves.list[curve], found) };
 }
 
-// A fold's orbit lives on one side alone: another one that has its z is the one whose force is farther from that on the curve.
+// A fold's orbit exists on one side only: if both sides have its z, the
+// one whose force is farther from that on the curve is another orbit.
 function leaveTheNearer(sides, curve, point) {
   const off = sides.map(({ found }) => Math.abs(found.peak_force_ratio - curves.number("peak_force_ratio", curve, point)));
   if (off[0] !== off[1]) sides[off[0] < off[1] ? 1 : 0].keeps = false;
@@ -38,7 +39,7 @@ function isMotionOf({ impacts, period }, found) {
   return found.regime === PERIODIC && found.impacts === impacts && found.period === period;
 }
 
-// [across, up] a step away, across the curve as it lies in the window.
+// [across, up] one step away, normal to the curve as displayed in the window.
 function valuesBeside(curve, point, step) {
   const axes = [file.columns, file.rows];
   const widths = axes.map(({ edges }) => edges.at(-1) - edges[0]);

@@ -1,4 +1,4 @@
-// Hammer and cart moving, to scale and slowed down. The cart is a frame from whose top the hammer hangs on two beam
+// Animation of hammer and cart, to scale and slowed down. The cart is a frame from whose top the hammer hangs on two beam
 // springs; the stop is a post of the cart.
 
 const SECONDS_PER_CYCLE = 1.6; // on the screen
@@ -6,10 +6,10 @@ const SECONDS_PER_CYCLE = 1.6; // on the screen
 class Stage {
   constructor(canvas, tell) {
     this.plot = new Plot(canvas, { left: 0, right: 0, top: 0, bottom: 0 });
-    this.tell = tell; // (time in tau) at each frame
+    this.tell = tell; // called with the time in tau at each frame
     this.plays = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.motion = null;
-    this.place = 0; // of the sample shown, with its fraction
+    this.place = 0; // index of the sample shown, with its fraction
     new ResizeObserver(() => this.draw()).observe(canvas);
     requestAnimationFrame((now) => this.#frame(now));
   }
@@ -17,8 +17,8 @@ class Stage {
   show(motion, { gap, period }) {
     Object.assign(this, { motion, gap, period, place: 0 });
     this.count = motion.samples.length / 5;
-    this.reach = 0; // of hammer and cart from their middle, in A0
-    this.swing = 0; // of the hammer in the cart
+    this.reach = 0; // largest displacement of hammer and cart from their centre, in A0
+    this.swing = 0; // largest displacement of the hammer relative to the cart
     for (let i = 0; i < this.count; ++i) {
       const [, cart, relative] = motion.samples.subarray(5 * i, 5 * i + 3);
       this.reach = Math.max(this.reach, Math.abs(cart), Math.abs(cart + relative));
@@ -51,7 +51,7 @@ class Stage {
     this.#paint(now);
     this.tell(now);
   }
-  // How fast the hammer was at an impact within the last bit of a cycle, 0 to 1.
+  // Normalised speed, 0 to 1, of an impact within the last fraction of a cycle.
   #struck(time) {
     const { impacts } = this.motion;
     let glow = 0;
@@ -68,7 +68,7 @@ class Stage {
     const hammerWidth = Math.min(46 * this.plot.letter, width / 9);
     const room = (width - 3.2 * hammerWidth) / 2;
     const scale = room / (this.reach + this.swing + Math.max(this.gap, 0) + 1.5);
-    const x = (length) => width / 2 + scale * length; // of the hammer's right face
+    const x = (length) => width / 2 + scale * length; // position of the hammer's right face
     const [floor, ceiling] = [height - 26, 16];
     const struck = this.#struck(time);
     const left = x(cart - this.swing - 0.8) - hammerWidth;
@@ -108,7 +108,7 @@ class Stage {
     }
     pen.lineWidth = 1;
   }
-  // Clamped at both ends: no slope at the top nor at the hammer.
+  // Clamped at both ends: zero slope at the top and at the hammer.
   #beams(top, bottom, hammerWidth, ceiling, floor) {
     const pen = this.plot.pen;
     pen.strokeStyle = ink("spring");

@@ -1,5 +1,5 @@
-// The page of a sweep: its branches gap by gap; a click on a point gives its motion, found from where the file has it at forcing
-// phase 0.
+// The page of a sweep: its branches gap by gap; a click on a point shows its
+// motion, computed from the state stored in the file at forcing phase 0.
 
 class SweepPage extends Page {
   layers = file.layers;
@@ -63,7 +63,7 @@ class SweepPage extends Page {
     if (cell === null) return this.panel.showFile(inFile, "The file has no motion of this point to begin with.");
     this.panel.show(cell, inFile, inFile);
   }
-  // On the motion that the file has there; null where it has none.
+  // The cell on the file's motion there; null without one.
   #cellOf({ track, column }) {
     const [u, v] = this.starts.map((plane) => plane.at(file.index(track, column)));
     if (Number.isNaN(u)) return null;
@@ -100,7 +100,7 @@ class SweepPage extends Page {
     this.pick({ track: at[0], column: at[1], sample: 0 });
     return true;
   }
-  // Something to look at: the periodic point of the first branch that strikes hardest.
+  // Selects the periodic point of the first branch with the largest force.
   pickSomething() {
     const { length } = file.columns.values;
     let [most, hardest] = [-1, null];
@@ -110,9 +110,9 @@ class SweepPage extends Page {
     }
     if (hardest !== null) this.pick({ track: 0, column: hardest, sample: 0 });
   }
-  // For scripts: a promise of what the engine finds from the motion that the file has.
+  // For scripts: a promise of the engine's result, starting from the file's motion.
   async solve(track, column) {
-    file.value(track, column); // says so where there is no such point
+    file.value(track, column); // throws if there is no such point
     const cell = this.#cellOf({ track, column });
     if (cell === null) throw new Error("the file has no motion of this point to begin with");
     return this.workers.solve(cell, [], []);

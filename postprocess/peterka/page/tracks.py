@@ -1,7 +1,7 @@
-"""What a page shows of a sweep: *tracks* of points along its axis. Each branch is one; where the sweep has [starts], each of
-the attractors kept at a gap's points is another, for it may be on no branch.
+"""Page content of a sweep: *tracks* of points along its axis. Each branch is one; in a sweep with [starts], each attractor
+slot of a gap is another, since its attractors may be on no branch.
 
-Every point that has a motion has a place of it, too, at forcing phase 0: from there the page's engine finds the same one.
+Every point with a motion also stores its state at forcing phase 0, from which the page's engine finds the same motion.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,7 +19,7 @@ from . import layers, planes
 
 PLACE = ("stroboscopic_displacement", "stroboscopic_velocity")
 SAMPLED = (*PLACE, "impact_displacement", "impact_velocity")
-MOST_SAMPLES = 2**22  # of one layer; more are left out
+MOST_SAMPLES = 2**22  # of one layer; larger layers are omitted
 FORCE = "peak_force_ratio"
 OTHERWISE_SHOWN = (*layers.LABELS, FORCE, "jump", "start_attractor")
 
@@ -41,7 +41,7 @@ def tracks_of(file: SweepFile) -> list[Track]:
 
 
 def described(file: SweepFile) -> dict[str, Any]:
-    """Of each track its gap, in `gaps`, and its direction in words, or its slot."""
+    """For each track its gap, in `gaps`, and its direction in words, or its slot."""
     directions = {branch.direction: direction_words(file, branch.direction) for branch in file.branches}
     return {
         "gaps": file.gaps,
@@ -53,26 +53,25 @@ def described(file: SweepFile) -> dict[str, Any]:
 
 
 def labels(file: SweepFile) -> tuple[dict[str, Any], bytes]:
-    """As layers.numbered_labels, of each point of each track."""
+    """As layers.numbered_labels, for each point of each track."""
     cells = [_labels_of(file, track) for track in tracks_of(file)]
     return layers.numbered_labels(file, {name: np.stack([one[name] for one in cells]) for name in layers.LABELS})
 
 
 def starts(file: SweepFile, keep: Keep) -> dict[str, Any]:
-    """Of each point where its motion is at forcing phase 0: u in A0, its rate in A0 omega; NaN where there is none."""
+    """State of each point's motion at forcing phase 0: u in A0, its rate in A0 omega; NaN without a motion."""
     return {name: _packed(np.stack([_start(file, track, name) for track in tracks_of(file)]), keep) for name in PLACE}
 
 
 def jumps(file: SweepFile, keep: Keep) -> dict[str, Any]:
-    """Of each point of each branch, 1 where the force jumps on the way to it."""
+    """For each point of each branch, 1 if the force jumps on the way to it."""
     description, packed = planes.integers(np.stack([branch.jump for branch in file.branches]).astype(np.int8))
     return {"plane": description, "blob": keep(packed)}
 
 
 def datasets(file: SweepFile, asked: Sequence[str] | None) -> list[tuple[dict[str, Any], bytes]]:
-    """[({description}, bytes), ...]: the peak force of all tracks, first but where no point has one, as on a rigid
-    stop; and what else the file has of its points, or was asked for.
-    `first`: the track of a layer's first row; `samples`: how many numbers a point has."""
+    """[({description}, bytes), ...]: the peak force of all tracks, first unless no point has one, as on a rigid stop; then the other
+    datasets on its points, or those requested. `first`: the track of a layer's first row; `samples`: numbers per point."""
     forces = np.stack([_forces(file, track) for track in tracks_of(file)])
     found = [_layer(file, FORCE, forces)]
     for name in asked if asked is not None else [*SAMPLED, *file.data.names()]:
@@ -85,7 +84,7 @@ def datasets(file: SweepFile, asked: Sequence[str] | None) -> list[tuple[dict[st
 
 
 def _dataset(file, name):
-    """None where it is no number of each point, or has words of its own, which no axis can show."""
+    """None if it is not a number per point, or has words as values, which no axis can show."""
     shape = (len(file.branches), len(file.values))
     found = layers.shape_of(file, name)
     if found is None or file.data.attribute("flag_meanings", name) is not None:
@@ -117,7 +116,7 @@ def _forces(file: SweepFile, track: Track) -> Reals:
 
 
 def _start(file, track, name):
-    """The first sample; of an attractor that had no room for samples, the orbit where it has one."""
+    """The first sample; for an attractor stored without samples, the orbit if it has one."""
     first = _samples(file, track, name)[:, 0]
     orbit = name.replace("stroboscopic", "attractor_orbit")
     if track.slot is None or not file.data.has(orbit):
@@ -127,7 +126,7 @@ def _start(file, track, name):
 
 
 def _samples(file: SweepFile, track: Track, name: str) -> Reals:
-    """(points, samples) of the motion at each point of a track, the first ones first, NaN behind them."""
+    """(points, samples) of the motion at each point of a track, NaN-padded at the end."""
     row, shape = track.branch.row, (len(file.branches), len(file.values), *file.data.dataset("sample", None, INTEGER).shape)
     file.data.dataset(name, shape, REAL)
     if track.slot is None:

@@ -1,6 +1,6 @@
-// A plane on a canvas: axes in ratios and in Hz and mm, pan and zoom by pointer, wheel and keys, what lies under the pointer and
-// what is picked. A second canvas on top holds what moves. What the plane shows, its children draw and find:
-// drawContent(), drawMarks(), targetAt(event) and walk(right, up, from).
+// A plane on a canvas: axes in ratios and in Hz and mm, pan and zoom by pointer, wheel and keys, hovering and picking. A second
+// canvas on top holds moving elements. Subclasses draw and find the contents of the plane: drawContent(), drawMarks(),
+// targetAt(event) and walk(right, up, from).
 
 class PlaneView {
   // axes: {x, y}, each with edges, place(value), value(place), narrowest, and words and factor of its scales.
@@ -88,7 +88,7 @@ class PlaneView {
     });
   }
 
-  // Moves a view so that it stays on both axes, and no narrower than these want.
+  // Moves the view so that it stays within both axes and is no narrower than they permit.
   show(x, y) {
     const fit = ([from, to], axis) => {
       const [low, high] = [axis.edges[0], axis.edges.at(-1)];
@@ -119,7 +119,7 @@ class PlaneView {
     this.picked = { x, y };
     this.drawTop();
   }
-  // So that a place lies inside of the view.
+  // Moves the view so that a place lies inside it.
   follow(x, y) {
     const beyond = ([from, to], at) => (at < from || at > to ? (at - (from + to) / 2) / (to - from) : 0);
     const [across, up] = [beyond(this.view.x, x), beyond(this.view.y, y)];
@@ -168,7 +168,7 @@ class PlaneView {
     const at = this.base.valuesAt(other);
     if (at && apart(before) > 0) this.zoom(apart(event) / apart(before), at[0], at[1]);
   }
-  // Arrows walk from one to the next, ten at once with Shift; Enter solves it; + and - zoom, 0 shows the whole.
+  // Arrows move to the next target, ten at once with Shift; Enter solves it; + and - zoom, 0 shows everything.
   #key(event) {
     const step = event.shiftKey ? 10 : 1;
     const steps = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };

@@ -1,4 +1,4 @@
-// What an answer of the engine says, in words.
+// The engine's answers in words.
 
 const number = (value, unit, count = 4) => (Number.isFinite(value) ? `${digits(value, count)}${unit ? ` ${unit}` : ""}` : "–");
 
@@ -22,7 +22,7 @@ function meaning({ regime, impacts, period }) {
   }[regime];
 }
 
-// By the number of a status; what was verified, too, may leave something open.
+// By status number; a verified result, too, may leave something open.
 const WHY = {
   1: "the budget ran out before anything was verified",
   2: "nothing dissipates, so nothing settles",
@@ -34,7 +34,7 @@ const WHY = {
   8: "the budget ran out before chaos could be told from a long transient",
 };
 
-// Why the engine says so.
+// The proof behind the engine's answer.
 function proof(answer, multipliers) {
   const open = answer.regime < UNRESOLVED && answer.status > 0 ? ` But ${WHY[answer.status]}.` : "";
   return reason(answer, multipliers) + open;
@@ -59,11 +59,11 @@ function reason({ regime, cycles, lyapunov, sensitivity, status }, multipliers) 
 function multiplierWords(multipliers) {
   if (!multipliers) return "";
   const [re, im, other] = multipliers;
-  const size = (value) => (Math.abs(value) < 1e-9 ? "0" : digits(value, 3)); // rounding, where the way in forgets all
+  const size = (value) => (Math.abs(value) < 1e-9 ? "0" : digits(value, 3)); // rounding, where contraction is complete
   return im === 0 ? `${size(re)} and ${size(other)}` : `${size(re)} ± ${size(Math.abs(im))} i`;
 }
 
-// {same, words}: whether a live result is that of the file's cell.
+// {same, words}: whether a live result equals that of the file's cell.
 function agreement(answer, stored) {
   const one = content.kind === "sweep" ? "point" : "cell";
   if (stored.regime === NOT_COMPUTED) return { same: null, words: `the file has no result of this ${one} yet` };
@@ -82,7 +82,7 @@ function agreement(answer, stored) {
   return { same, words: `equals the file’s ${one}, force to ${off === 0 ? "the last bit" : digits(off, 1)}` };
 }
 
-// Why the engine of the page can't run a cell; null where it can.
+// Why the page's engine cannot run a cell; null if it can.
 function whyNot(cell) {
   if (cell.contact_law === 2) {
     return "This stop follows Hunt and Crossley’s law, which only the program’s integrators carry; the page shows the file’s values.";

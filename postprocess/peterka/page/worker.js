@@ -1,14 +1,14 @@
-// Runs the engine beside the page: single cells with their motion, which a newer message may give up, and lists of
-// cells for live maps, as many as fit into a turn.
+// Runs the engine in the background: single cells with their motion, which newer messages cancel, and lists of cells for live
+// maps, as many as fit into a time slice.
 
 const TURN_MS = 40;
 const CYCLES_AT_ONCE = 1000;
 const SAMPLES_PER_CYCLE = 400;
 const PULSE_SAMPLES = 600;
 const MOST_CYCLES_SHOWN = 24;
-const POINTS_OF_CHAOS = 4000; // at forcing phase 0: so many draw its attractor
+const POINTS_OF_CHAOS = 4000; // at forcing phase 0, enough to draw a chaotic attractor
 let engine = null;
-let newest = 0; // number of the newest order for a single cell
+let newest = 0; // number of the newest request for a single cell
 
 const otherMessages = () => new Promise((done) => setTimeout(done));
 
@@ -16,7 +16,7 @@ onmessage = async ({ data }) => {
   if (data.bytes) engine = Engine.from(data.bytes);
   else if (data.cells) postMessage(await solveCells(data));
   else if (data.cell) await solveCell(data);
-  else newest = data.number; // gives up
+  else newest = data.number; // cancels the current one
 };
 
 async function solveCells({ number, cell, sides, cells }) {
@@ -52,7 +52,7 @@ async function solveCell({ number, cell, knocked }) {
   postMessage({ number, answer, points, milliseconds: performance.now() - begun, ...motionsOf(solver, answer, knocked) });
 }
 
-// The steady motion over a few of its periods, its multipliers, its hardest impact closely, and the way from the start.
+// The steady motion over a few of its periods, its multipliers, a close-up of its hardest impact, and the transient from the start.
 function motionsOf(solver, answer, knocked) {
   const q = answer.period;
   const multipliers = q > 0 ? solver.follow(true, q, 1).multipliers : null;
@@ -65,7 +65,7 @@ function motionsOf(solver, answer, knocked) {
   return { steady, pulse, touch, way, multipliers, knocked };
 }
 
-// By force, on a rigid stop by speed; those that outlast the motion come last.
+// By force, on a rigid stop by speed; impacts that outlast the motion come last.
 function hardestOf(impacts) {
   let hardest = -1;
   let most = -1;

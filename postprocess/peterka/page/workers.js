@@ -1,14 +1,13 @@
-// Workers that run the engine: one for the cell that is looked at, the others (or the same, where there is only one
-// processor) for lists of cells.
+// Workers that run the engine: one for the selected cell, the others (or the same one on a single processor) for lists of cells.
 
-const BATCH = 512; // cells; a worker does as many of them as fit into its turn and hands the others back
+const BATCH = 512; // cells; a worker computes as many as fit into its time slice and returns the others
 
 class Workers {
   constructor(bytes, source) {
     const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     const processors = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 16));
     this.orders = 0;
-    this.waiting = new Map(); // number of an order to who waits for it
+    this.waiting = new Map(); // maps a request's number to its waiting caller
     this.one = this.#start(url, bytes);
     this.many = Array.from({ length: processors }, () => this.#start(url, bytes));
     this.idle = [...this.many];
@@ -20,7 +19,7 @@ class Workers {
     worker.onmessage = ({ data }) => this.waiting.get(data.number)?.(data);
     return worker;
   }
-  // Solves one cell; a newer one ends it. tell(data) comes while it lasts and at its end.
+  // Solves one cell; a newer request cancels it. tell(data) is called repeatedly and at the end.
   lookAt(cell, tell, knocked = false) {
     this.waiting.delete(this.looking);
     this.looking = ++this.orders;
@@ -32,8 +31,8 @@ class Workers {
     this.looking = ++this.orders;
     this.one.postMessage({ number: this.looking });
   }
-  // A job: {cell, sides: both axes {sets, clears}, take(most) -> {places, cells} or null, give(places, results)}.
-  // Jobs are served in their order, the last one begun first; end(job) forgets it.
+  // A job: {cell, sides: both axes {sets, clears}, take(most) -> {places, cells} or null, give(places, results)}. The most recent
+  // job is served first; end(job) removes it.
   begin(job) {
     this.jobs.unshift(job);
     this.#feed();
@@ -63,7 +62,7 @@ class Workers {
     });
     worker.postMessage({ number, cell: job.cell, sides: job.sides, cells: batch.cells });
   }
-  // One cell as the file would have it, where `sides` have these values, none or one each.
+  // One cell as in the file, where `sides` have these values, none or one each.
   solve(cell, sides, values) {
     return new Promise((done) => {
       let waits = true;
@@ -71,7 +70,7 @@ class Workers {
         cell, sides, hasMore: () => waits, putBack: () => (waits = true),
         take: () => {
           waits = false;
-          return { places: [0], cells: Float64Array.from(values.length > 0 ? values : [NaN, NaN]) }; // two a cell
+          return { places: [0], cells: Float64Array.from(values.length > 0 ? values : [NaN, NaN]) }; // two per cell
         },
         give: (_, [regime, impacts, period, peak_force_ratio]) => {
           this.end(job);

@@ -1,7 +1,7 @@
-"""What every picture shares: figure and fonts, cells on axes, second scales, legend, notices, writing a picture.
+"""Shared by all pictures: figure and fonts, cells on axes, second scales, legend, notices, writing a picture.
 
-Axes are ratios in the paper's notation; a second scale gives Hz and mm where the file knows them. Cells are drawn as
-they are, without interpolation, between their borders: linear or logarithmic. Sizes are for one journal column.
+Axes are ratios in the paper's notation; a second scale gives Hz and mm if the file has them. Cells are drawn without
+interpolation, between their edges: linear or logarithmic. Sizes are for one journal column.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -25,12 +25,12 @@ from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
 from .titles import write_title  # noqa: F401
 
-LETTER_SHARE = 0.033  # width of a 9 pt letter over the width of the map
+LETTER_SHARE = 0.033  # width of a 9 pt character over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
 
 
 def label_axes(ax: Axes, file: Plane) -> None:
-    """Axis labels and scales; on top and at the right in Hz, mm and m/s where the file gives frequency and amplitude."""
+    """Axis labels and scales; at the top and right in Hz, mm and m/s if the file gives frequency and amplitude."""
     for axis, ticks, which in ((file.columns, ax.xaxis, "x"), (file.rows, ax.yaxis, "y")):
         getattr(ax, f"set_{which}label")(label(axis.name))
         getattr(ax, f"set_{which}scale")("log" if axis.log else "linear")
@@ -44,9 +44,9 @@ def label_axes(ax: Axes, file: Plane) -> None:
 
 def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None,
                  place: str | float | None = None, replaces: bool = False) -> Axes | None:
-    """A scale of the side "x" or "y" in other units, given by its (label, factor from those of the axis): opposite to the
-    axis, or, where pictures are in SI alone, in its place; none where `label_and_factor` is None or pictures are in
-    ratios alone. `place`: where, if not there; `replaces`: the axis, in any units. Returns its Axes or None."""
+    """A scale on the side "x" or "y" in other units, given by (label, factor from those of the axis): opposite to the axis,
+    or in its place for pictures in SI units alone; none if `label_and_factor` is None or pictures are in ratios alone.
+    `place`: an alternative position; `replaces`: the scale takes the axis' place in any units. Returns its Axes or None."""
     units = "si" if replaces else style.current().units
     if label_and_factor is None or units == "ratio":
         return None
@@ -64,7 +64,7 @@ def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None
 
 
 def si_scale(file: InUnits, name: str) -> tuple[str, float] | None:
-    """(label, factor from the numbers of this axis) of its scale in SI units; None where the file doesn't tell."""
+    """(label, factor from the numbers of this axis) of its scale in SI units; None if the file does not give it."""
     if name in IN_MILLIMETRES:
         return IN_MILLIMETRES[name], 1000.0
     unit = unit_of(file, name) if name in TWINS else None
@@ -75,7 +75,7 @@ def si_scale(file: InUnits, name: str) -> tuple[str, float] | None:
 
 
 def _set_ticks(ticks: Axis, log: bool) -> None:
-    """Round, plain numbers; on a logarithmic axis as many of 1, 2, 5, 10, ... as have room."""
+    """Round, plain numbers; on a logarithmic axis as many of 1, 2, 5, 10, ... as fit."""
     if log:
         ticks.set_major_locator(LogTicks())
         ticks.set_major_formatter(LogNumbers())
@@ -86,16 +86,15 @@ def _set_ticks(ticks: Axis, log: bool) -> None:
 
 
 def scale_functions(factor: float) -> tuple[Callable, Callable]:
-    """Of a second scale: from ratios to so many units each, and back."""
+    """Conversion functions of a second scale: from ratios to units, and back."""
     return (lambda ratio: ratio * factor), (lambda value: value / factor)
 
 
 def show_classes(ax: Axes, reduced: Image, colours: Sequence[str | Fill], not_computed: int) -> None:
-    """Draws class numbers (rows, columns) in their colours, or the fills of these; the class `not_computed` is left open
-    over a hatch."""
+    """Draws class numbers (rows, columns) in their colours or fills; the class `not_computed` shows the hatched background."""
     hatch_background(ax)
     fills = [fill(colour) for colour in colours]
-    shown = np.ma.masked_where(reduced.image == not_computed, reduced.image)  # which may be no number of its type
+    shown = np.ma.masked_where(reduced.image == not_computed, reduced.image)  # which may not be representable in its type
     rows, columns = reduced.row_edges, reduced.column_edges
     colours = [one.colour for one in fills]
     if any(one.hatch for one in fills):
@@ -104,7 +103,7 @@ def show_classes(ax: Axes, reduced: Image, colours: Sequence[str | Fill], not_co
 
 
 def hatch_background(ax: Axes) -> None:
-    """Hatches the whole plane: what nothing is drawn over is not computed yet."""
+    """Hatches the whole plane: areas left uncovered are not computed yet."""
     ax.patch.set(**NOT_COMPUTED_HATCH)
 
 
@@ -119,8 +118,8 @@ def percent(share: float) -> str:
 
 
 def operating_point(file: AtPoint) -> str:
-    """Frequency and gap where all cells share them, as text: both for a basin, none for a map over both; in Hz and mm in
-    pictures in SI alone, where the file tells them."""
+    """Frequency and gap if common to all cells, as text: both for a basin, none for a map over both; in Hz and mm for
+    pictures in SI units alone, if the file gives them."""
     in_si = style.current().units == "si"
     hertz, metres = (unit_of(file, name) if in_si else None for name in ("frequency_ratio", "gap_ratio"))
     shared = [("Ω/ω", file.positive("frequency_ratio"), "frequency", hertz, "Hz"),
@@ -130,7 +129,7 @@ def operating_point(file: AtPoint) -> str:
 
 
 def notice_incomplete(ax: Axes, file: Growing) -> None:
-    """Writes into the picture that, and how much of, the map is missing."""
+    """Writes into the picture that the map is incomplete, and the computed share."""
     if file.computed < 1:
         ax.text(
             0.03, 0.97, incomplete_text(file), transform=ax.transAxes, va="top", ha="left", weight="bold",
@@ -140,12 +139,12 @@ def notice_incomplete(ax: Axes, file: Growing) -> None:
 
 
 def so_far(file: Growing) -> str:
-    """The same for a title."""
+    """The same notice for a title."""
     return f"{incomplete_text(file)}\n" if file.computed < 1 else ""
 
 
 def incomplete_text(file: Growing) -> str:
-    """How much is computed, in words."""
+    """The computed share, in words."""
     return f"incomplete: {np.floor(1000 * file.computed) / 10:.1f} % computed"
 
 
@@ -159,15 +158,14 @@ def log_scale(ax: Axes, *sides: str) -> None:
 
 
 def number_log_scale(axis: Axis) -> None:
-    """Few, plain ticks on a logarithmic axis."""
+    """Sets few, plain ticks on a logarithmic axis."""
     axis.set_major_locator(LogTicks())
     axis.set_major_formatter(LogNumbers())
     axis.set_minor_locator(NullLocator())
 
 
 def name_areas(ax: Axes, reduced: Image, names: Mapping[int, tuple[str, str | Fill]]) -> None:
-    """Writes a class's name into its largest rectangle without a mark that is to be seen, where that is large enough to
-    hold it.
+    """Writes a class's name into its largest rectangle free of visible marks, if large enough.
 
     `names` maps a class number of the image to (text, colour of the class)."""
     marked = _marked(ax, reduced)
@@ -189,7 +187,7 @@ def letter_colour(background: str) -> str:
 
 
 def _marked(ax, reduced):
-    """The cells of the image beneath marks that are to be seen."""
+    """Mask of the image's cells beneath visible marks."""
     cells = np.zeros(reduced.image.shape, dtype=bool)
     for box in seen.boxes(ax):
         (left, low), (right, high) = ax.transData.inverted().transform([box.min, box.max])
@@ -200,9 +198,9 @@ def _marked(ax, reduced):
 
 
 def _largest_window(mask, marked, smallest, purity=0.97):
-    """The largest window, in the proportions of the whole, of which the share `purity` is True, and none is `marked`.
+    """The largest window, with the proportions of the whole, in which the share `purity` is True and no cell is `marked`.
 
-    Returns its borders ((left, right), (low, high)) in cells; None if it is below `smallest` of the whole's sides."""
+    Returns its edges ((left, right), (low, high)) in cells; None if it is below `smallest` of the whole's sides."""
     total = np.zeros(np.add(mask.shape, 1), dtype=np.int64)
     total[1:, 1:] = np.where(marked, -mask.size, mask).cumsum(axis=0).cumsum(axis=1)
     found = None

@@ -1,14 +1,13 @@
 """The classes of a Peterka map and their fixed colours.
 
-A class is a regime, or one p/q of the periodic regime; p/q is never reduced. Each class has the same colour in every
-picture, so that maps of different rigs can be laid side by side. 1/1 and 1/2 are near the paper's red and green. The
-first seven p/q are the palette of Okabe and Ito; the others were searched for so that every pair stays apart for normal
-sight and for protanopes, deuteranopes and tritanopes (tests/postprocess/test_picture_colours.py simulates them). A doubled
-orbit is darker than its parent. 1/1 and 1/2 are equally bright, so pictures also write p/q into the large areas: they can be
-read in grey.
+A class is a regime, or one p/q of the periodic regime; p/q is never reduced. Each class has the same colour in every picture, so that
+maps of different rigs can be compared. 1/1 and 1/2 are near the paper's red and green. The first seven p/q use the palette of Okabe and
+Ito; the others were optimised so that every pair is distinguishable for normal vision and for protanopes, deuteranopes and tritanopes
+(simulated in tests/postprocess/test_picture_colours.py). A period-doubled orbit is darker than its parent. 1/1 and 1/2 are equally
+bright, so pictures also write p/q into large areas and remain readable in grey.
 
-Every other p/q up to 12/12 has one of a few more colours, by a fixed table of p and q. Where two of a picture have the same,
-or there are more than a legend holds, the commonest are named, and what is rarer than all of these is "other p/q".
+Every other p/q up to 12/12 has one of a few further colours, by a fixed table of p and q. If two in a picture share a
+colour, or a legend would be too long, the most frequent are named and all rarer ones are "other p/q".
 """
 
 from dataclasses import dataclass
@@ -22,7 +21,7 @@ from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, 
 
 @dataclass(frozen=True)
 class Class:
-    """One entry of a legend. `colour` is '#RRGGBB'; `orbit` is (p, q) for a p/q of its own, else None."""
+    """One entry of a legend. `colour` is '#RRGGBB'; `orbit` is (p, q) for a class of a single p/q, else None."""
 
     label: str
     colour: str
@@ -46,7 +45,7 @@ _ORBITS = {
     (3, 2): "#F0E442",
 }
 
-# Those of the other p/q, as far from the others and from each other as could be found.
+# Colours of the other p/q, optimised for distance from the others and from each other.
 SECOND_COLOURS = ("#22012A", "#D1FDC2", "#594248", "#92A99B", "#07E0FE", "#78DF77", "#391301", "#0E046E")
 _LARGEST = 12  # p and q that have colours
 MOST_NAMED = 14  # p/q in a legend
@@ -64,7 +63,7 @@ _AFTER = [
 
 
 def _second_colour(p: int, q: int) -> str:
-    """The commonest of these p/q, such as 2/3, 1/4, 3/4, 4/3, 5/2 and 2/5, have different ones."""
+    """A hashed colour; it differs for the most frequent p/q, such as 2/3, 1/4, 3/4, 4/3, 5/2 and 2/5."""
     return SECOND_COLOURS[(p + 2 * q + 6 * p * q) % len(SECOND_COLOURS)]
 
 
@@ -99,8 +98,8 @@ def classify(regime: Integers, impacts: Integers, period: Integers) -> NDArray[n
 
 
 def named(counts: Integers) -> NDArray[np.uint8]:
-    """As which class each is shown where so many cells are of each, (len(CLASSES),): as itself, or as "other p/q". That is
-    rarer than all that are named, but for orbits with p or q above 12."""
+    """The displayed class of each class for these cell counts, (len(CLASSES),): itself, or "other p/q", which is rarer than
+    all named ones except for orbits with p or q above 12."""
     shown = np.arange(len(CLASSES), dtype=np.uint8)
     orbits = [n for n in np.argsort(-np.asarray(counts), kind="stable") if CLASSES[n].orbit]
     taken: set[str] = set()

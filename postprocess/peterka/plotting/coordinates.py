@@ -1,4 +1,4 @@
-"""What axes are called: the words and units of everything over which a map or a sweep may run."""
+"""Axis labels: names and units of every coordinate of a map or a sweep."""
 
 LABELS = {
     "frequency_ratio": r"$\Omega/\omega$",
@@ -28,11 +28,11 @@ LABELS = {
     "contact_dissipation_s_per_m": "dissipation $D$ of the stop (s/m)",
 }
 
-# Shown in mm whatever the units of other scales: m is how a job gives them.
+# Shown in mm whatever the units of other scales: jobs give them in m.
 IN_MILLIMETRES = {"gap_m": "gap (mm)", "cart_amplitude_m": "cart amplitude $A_0$ (mm)", "displacement_m": "$x$ (mm)",
                   "start_displacement_m": "start $x$ (mm)"}
 
 
 def label(name: str) -> str:
-    """A name that is none of these stands for itself, without anything that a picture would take for mathematics."""
+    """The label; an unknown name is used itself, without characters that a picture would interpret as mathematics."""
     return LABELS.get(name) or name.replace("$", "").replace("\\", "")

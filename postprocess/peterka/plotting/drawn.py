@@ -1,4 +1,4 @@
-"""What the pieces of a picture ask of what is drawn: a file, a part of one, or two files together."""
+"""Protocols of the objects that are drawn: a file, a part of one, or two files together."""
 
 from typing import Protocol
 
@@ -6,27 +6,27 @@ from ..arrays import Integers, Reals
 
 
 class Titled(Protocol):
-    """It has a title in one harmless line."""
+    """Has a title of one sanitised line."""
 
     @property
     def title(self) -> str: ...
 
 
 class InUnits(Protocol):
-    """It knows scales in SI units, such as natural_frequency_hz, above 0; None for those that it doesn't know."""
+    """Has positive scales in SI units, such as natural_frequency_hz; None for unknown ones."""
 
     def positive(self, name: str) -> float | None: ...
 
 
 class AtPoint(InUnits, Protocol):
-    """It has numbers of its own, too, which may be 0 or below."""
+    """Also has plain numbers, which may be 0 or negative."""
 
     def number(self, name: str) -> float | None: ...
 
 
 class PlaneAxis(Protocol):
-    """A side of a plane of n cells: its coordinate, the cells' centres (n,) and borders (n + 1,), and whether they are evenly
-    spaced in the logarithm."""
+    """A side of a plane of n cells: its coordinate, cell centres (n,) and
+    edges (n + 1,), and whether they are evenly spaced in the logarithm."""
 
     @property
     def name(self) -> str: ...
@@ -52,14 +52,14 @@ class Plane(InUnits, Protocol):
 
 
 class Growing(Protocol):
-    """A share of it, 0 to 1, is computed."""
+    """Has a computed share, 0 to 1."""
 
     @property
     def computed(self) -> float: ...
 
 
 class Image(Protocol):
-    """Numbers of classes, or values, (rows, columns), with the borders of the rows and columns, each one longer."""
+    """Class numbers or values, (rows, columns), with the edges of the rows and columns, each one longer."""
 
     @property
     def image(self) -> Integers | Reals: ...

@@ -1,4 +1,4 @@
-"""Figures that are one picture, and the place of a picture in a figure of somebody else's."""
+"""Figures that consist of one picture, and the place of a picture in a caller's figure."""
 
 import io
 from collections.abc import Sequence
@@ -15,13 +15,13 @@ from matplotlib.gridspec import GridSpecBase
 from ..files.whole_file import written_whole
 from . import style
 
-COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
-METADATA = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}  # the same bytes again
+COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map with more than FINE_FROM cells per side needs the finer raster
+METADATA = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}  # reproducible bytes
 
 
 class Picture(Figure):
-    """A figure made for one picture. It keeps the settings it was drawn with, whatever matplotlib's are when it is saved
-    or shown, and notebooks show it."""
+    """A figure made for one picture. It keeps the settings it was drawn with, whatever matplotlib's are when it is saved or
+    shown, and notebooks display it."""
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
@@ -45,13 +45,13 @@ class Picture(Figure):
 
 
 def width_of(own: float) -> float:
-    """Width [in] of a figure that is `own` [in] wide where nobody asks for another one."""
+    """Width [in] of a figure: `own` [in] unless the style requests another."""
     asked = style.current().width
     return asked / style.MILLIMETRES if asked else own
 
 
 def new_figure(width: float, height: float, cells: int = 1) -> Picture:
-    """A Picture [in x in], with a raster fine enough for so many cells along a side."""
+    """A Picture [in x in], with a raster fine enough for this many cells per side."""
     if not style.is_in_use():
         raise RuntimeError("a picture is drawn by a function of @picture, or one of @style.using()")
     dpi = style.current().dpi or (COARSE_DPI if cells <= FINE_FROM else FINE_DPI)
@@ -60,8 +60,8 @@ def new_figure(width: float, height: float, cells: int = 1) -> Picture:
 
 def divided(width: float, height: float, ax: Axes | None = None, rows: int = 1, columns: int = 1, cells: int = 1,
             **ratios: Sequence[float]) -> tuple[Figure, GridSpecBase]:
-    """(figure, grid) to put the parts of a picture into: a new figure of this size [in x in], or the place of `ax`, made
-    by subplots(), in its figure."""
+    """(figure, grid) for the parts of a picture: a new figure of this size
+    [in x in], or the place of `ax`, made by subplots(), in its figure."""
     if ax is None:
         figure = new_figure(width, height, cells)
         return figure, figure.add_gridspec(rows, columns, **ratios)
@@ -83,13 +83,13 @@ def panel(figure: Figure, grid: GridSpecBase, row: int = 0, column: int = 0, ax:
 
 
 def figure_of(drawn: Axes | Sequence[Axes]) -> Figure:
-    """The figure of what a picture's function returned: its Axes, or a list of them."""
+    """The figure of a picture function's result: Axes, or a list of them."""
     return (drawn[0] if isinstance(drawn, list) else drawn).get_figure()
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Writes a finished picture in the format of its suffix; an interrupted one never passes for a picture."""
+    """Writes a finished picture in the format of its suffix, atomically."""
     kind = path.suffix[1:]
     with written_whole(path, "wb") as out:
         figure.savefig(out, format=kind, dpi=figure.dpi, metadata=METADATA[kind])
-        figure.set_layout_engine("none")  # other formats have the same layout: making it takes longer than drawing
+        figure.set_layout_engine("none")  # other formats share this layout: computing it takes longer than drawing

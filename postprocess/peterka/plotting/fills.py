@@ -1,8 +1,8 @@
-"""How areas look: a colour, or, in the grey palette, a lightness and a hatching.
+"""Fills of areas: a colour or, in the grey palette, a lightness and a hatching.
 
-There are more classes than lightnesses that are told apart, so the commonest classes differ in lightness and their kin
-in hatching: chaos is black and no impact white; what stays apart by lightness alone has no hatching. The texture is
-drawn in cells of a fine raster, not in lines over the plane: it ends exactly where the class does.
+There are more classes than distinguishable lightnesses, so the most frequent classes differ in lightness and related classes
+in hatching: chaos is black and no impact white; classes distinguishable by lightness alone have no hatching. The texture is
+drawn in cells of a fine raster, not as lines over the plane, so that it ends exactly where the class does.
 """
 
 from collections.abc import Sequence, Collection
@@ -17,7 +17,7 @@ from ..arrays import Integers, Mask, Reals
 from . import style
 from .classes import CLASSES, SECOND_COLOURS
 
-# Of each class: lightness 0 (black) to 100 (white), CIE L*, and hatching.
+# For each class: lightness 0 (black) to 100 (white), CIE L*, and hatching.
 GREYS = {
     "no impact": (97, ""), "1/1": (62, ""), "2/2": (62, "//"), "4/4": (62, "xx"), "3/3": (62, ".."),
     "1/2": (82, ""), "2/4": (82, "//"), "1/3": (42, ""), "2/1": (82, "\\\\"), "4/2": (82, "xx"),
@@ -26,14 +26,14 @@ GREYS = {
     "failed": (97, "xx"), "not computed yet": (100, ""),
 }
 SECOND = ((24, ""), (97, "//"), (62, "++"), (82, "++"), (24, ".."), (62, "\\\\"), (24, "xx"), (42, "++"))  # of other p/q
-PERIOD, STROKE = 8, 2  # of a hatching, in cells of the raster: in tongues thinner than that it reads as a darker grey
+PERIOD, STROKE = 8, 2  # of a hatching, in raster cells: in areas thinner than that it looks like a darker grey
 RASTER = 700  # cells of the raster along a side
-CONTRAST = 42  # between a hatching and what it lies on, in lightness
+CONTRAST = 42  # between a hatching and its background, in lightness
 
 
 @dataclass(frozen=True)
 class Fill:
-    """`colour` '#RRGGBB', and the `hatch` over it as matplotlib's letters, '' for none."""
+    """`colour` '#RRGGBB', and the `hatch` over it in matplotlib's letters, '' for none."""
 
     colour: str
     hatch: str = ""
@@ -53,7 +53,7 @@ def grey(light: float) -> str:
 
 
 def lightness(colour: str) -> float:
-    """CIE L* of a colour, 0 to 100: how it looks in a grey print."""
+    """CIE L* of a colour, 0 to 100: its lightness in a grey print."""
     linear = [value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in to_rgb(colour)]
     luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
     return 116 * luminance ** (1 / 3) - 16 if luminance > 0.008856 else 903.3 * luminance
@@ -64,7 +64,7 @@ _OF_CLASS |= {colour: Fill(grey(light), hatch) for colour, (light, hatch) in zip
 
 
 def fill(colour: str | Fill) -> Fill:
-    """The Fill of a colour of the pictures in the present palette; a Fill stays what it is."""
+    """The Fill of a colour in the current palette; a Fill is returned unchanged."""
     if isinstance(colour, Fill):
         return colour
     if not style.is_grey():
@@ -80,7 +80,7 @@ def textured(image: Integers, row_edges: Reals, column_edges: Reals, fills: Sequ
     colours): a class n has the colour n, its hatching the colour len(fills) + n. Masked cells stay masked."""
     row_edges, rows = _raster(row_edges, log[0])
     column_edges, columns = _raster(column_edges, log[1])
-    numbers = image[np.ix_(rows, columns)].astype(np.int16)  # twice as many as classes
+    numbers = image[np.ix_(rows, columns)].astype(np.int16)  # a type that holds twice the number of classes
     strokes = {hatch: _strokes(hatch, len(rows), len(columns)) for hatch in {one.hatch for one in fills} - {""}}
     raster = numbers.copy()
     for number, one in enumerate(fills):
@@ -113,7 +113,7 @@ def _strokes(hatch: str, rows: int, columns: int) -> Mask:
 
 
 def without_colour(figure: Figure, others: Collection[Axes] = ()) -> None:
-    """Turns the lines, letters and marks of a figure, but for those in these other Axes, into greys as light as they are."""
+    """Converts the lines, letters and marks of a figure, except in the given Axes, to greys of the same lightness."""
     for ax in figure.axes:
         if ax not in others:
             for artist in ax.findobj():
@@ -121,7 +121,7 @@ def without_colour(figure: Figure, others: Collection[Axes] = ()) -> None:
 
 
 def _turn_grey(artist):
-    if getattr(artist, "get_array", lambda: None)() is not None:  # a scale's or classes' own colours
+    if getattr(artist, "get_array", lambda: None)() is not None:  # colours of a scale or of classes
         return
     for name in ("color", "facecolor", "edgecolor", "markerfacecolor", "markeredgecolor"):
         if hasattr(artist, f"get_{name}") and hasattr(artist, f"set_{name}"):

@@ -1,4 +1,4 @@
-"""How the parts of a picture stand: a map over its colour bar, legends and a panel; diagrams over each other."""
+"""Layout of the parts of a picture: a map above its colour bar, legends and a panel; stacked diagrams."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -17,12 +17,12 @@ from .fills import Fill, fill
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
 LETTERS = 8  # pt, of a legend
-KEY_GAP, SPACE, MARGIN = 0.06, 0.14, 0.1  # in: after the key of an entry, between columns, around all of them
-PATCH, LINE = 1.4, 2.0  # length of a key over the size of letters
+KEY_GAP, SPACE, MARGIN = 0.06, 0.14, 0.1  # in: after the key of an entry, between columns, around all entries
+PATCH, LINE = 1.4, 2.0  # length of a key over the font size
 
 
 def legend_patch(label: str, colour: str | Fill | None, hatched: bool = False) -> Patch:
-    """An entry of a legend: a colour, or the Fill it has in the present palette; `hatched`: what isn't computed yet."""
+    """A legend entry: a colour, or its Fill in the current palette; `hatched`: not yet computed."""
     if hatched:
         return Patch(label=label, **NOT_COMPUTED_HATCH | {"linewidth": 0.4})
     assert colour is not None
@@ -34,12 +34,11 @@ def legend_patch(label: str, colour: str | Fill | None, hatched: bool = False) -
 
 def stack(width: float, image: NDArray[Any], legends: Sequence[tuple[Sequence[Artist], int, str | None]], bar: bool = False,
           panel_height: float = 0.0, ax: Axes | None = None) -> tuple[Figure, Axes, Axes | None]:
-    """A figure of `width` [in]: a map and, below it, a colour bar if asked for, the legends, and a panel of this height
-    [in] if asked for; or all this in the place of `ax`.
+    """A figure of `width` [in]: a map and, below it, an optional colour bar, the legends, and an optional panel of this
+    height [in]; or all of these in the place of `ax`.
 
-    `legends` is a list of (handles, columns, title); empty ones are left out. Returns the figure, the map's axes and
-    those of the bar or the panel (None without). The figure is as high as its legends need, so all maps have the same
-    size."""
+    `legends` is a list of (handles, columns, title); empty ones are omitted. Returns the figure, the map's axes and those of
+    the bar or the panel (None without). The figure's height follows from its legends, so that all maps have the same size."""
     own, width = width, width_of(width)
     legends = [(handles, columns_that_fit(handles, columns, width, PATCH), title) for handles, columns, title in legends if handles]
     rows = sum(-(-len(handles) // columns) + (title is not None) for handles, columns, title in legends)
@@ -54,8 +53,8 @@ def stack(width: float, image: NDArray[Any], legends: Sequence[tuple[Sequence[Ar
 
 def diagram(width: float, height: float, handles: Sequence[Artist], panels: int = 1, columns: int = 2,
             ax: Axes | None = None) -> tuple[Figure, list[Axes]]:
-    """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend
-    below them; or all this in the place of `ax`. Returns the figure and the list of Axes."""
+    """A figure of `width` [in] with stacked diagrams, `height` [in] in total, sharing the x axis, and a legend below them;
+    or all of these in the place of `ax`. Returns the figure and the list of Axes."""
     own, width = width, width_of(width)
     columns = columns_that_fit(handles, columns, width, LINE)
     rows = -(-len(handles) // columns)
@@ -69,7 +68,7 @@ def diagram(width: float, height: float, handles: Sequence[Artist], panels: int 
 
 
 def write_legend(ax: Axes, handles: Sequence[Artist], columns: int, title: str | None, handlelength: float) -> None:
-    """A legend that has Axes for itself, and they nothing else."""
+    """A legend with Axes of its own."""
     ax.axis("off")
     ax.legend(
         handles=handles, ncol=columns, title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0,
@@ -78,7 +77,7 @@ def write_legend(ax: Axes, handles: Sequence[Artist], columns: int, title: str |
 
 
 def columns_that_fit(handles: Sequence[Artist], most: int, width: float, key: float) -> int:
-    """In how many columns, `most` at most, the entries of a legend fit into so many inches."""
+    """The number of columns, at most `most`, in which the entries of a legend fit into this width [in]."""
     widths = [text_width(handle.get_label(), LETTERS, has_mathematics=True) + key * LETTERS / 72 + KEY_GAP for handle in handles]
     for columns in range(min(most, len(handles)), 1, -1):
         rows = -(-len(handles) // columns)
@@ -89,6 +88,6 @@ def columns_that_fit(handles: Sequence[Artist], most: int, width: float, key: fl
 
 
 def text_width(text: str, size: float, has_mathematics: bool = False) -> float:
-    """Of one line [in]."""
+    """Width [in] of one line of text."""
     is_math = has_mathematics and text.count("$") > 1
     return text_to_path.get_text_width_height_descent(text, FontProperties(size=size), ismath=is_math)[0] / 72

@@ -1,7 +1,7 @@
-"""Ticks of linear axes of any range whose labels don't run together: round numbers, as many as have room.
+"""Ticks of linear axes of any range with labels that do not overlap: as many round numbers as fit.
 
-Matplotlib writes a power of ten that labels share above the end of their axis, where other scales and titles stand;
-here each label has it. Labels of one axis are all plain, or all of one power of ten.
+Matplotlib writes a power of ten common to the labels at the end of the axis, where other scales and titles are; here each
+label includes it. The labels of an axis are either all plain, or all with the same power of ten.
 """
 
 from collections.abc import Sequence
@@ -14,11 +14,11 @@ from matplotlib.transforms import Bbox
 from ..arrays import Reals
 from .log_ticks import LETTER, LINE, PLAIN_FROM, PLAIN_TO, SPACE, USUAL_LENGTH
 
-MOST, MOST_OF_LONG, LONG = 7, 10, 4.5  # intervals between ticks, and the length from which on there may be more [in]
+MOST, MOST_OF_LONG, LONG = 7, 10, 4.5  # intervals between ticks, and the axis length [in] from which more are permitted
 
 
 class LinearTicks(MaxNLocator):
-    """Set it as the major locator; it asks the axis's own LinearNumbers how wide labels are."""
+    """Set it as the major locator; it asks the axis's own LinearNumbers for the width of labels."""
 
     def __init__(self) -> None:
         super().__init__(nbins=MOST, steps=[1, 2, 5, 10])
@@ -82,7 +82,7 @@ def _label(value, exponent, decimals):
 
 
 def letters(label: str) -> float:
-    """How many digits wide."""
+    """The width of a label, in digits."""
     if not label.startswith("$"):
         return len(label)
     factor, exponent = label.strip("$").split("\\cdot10^")
@@ -90,18 +90,18 @@ def letters(label: str) -> float:
 
 
 def use_everywhere(figure: Figure) -> None:
-    """On all linear axes of a figure that number themselves, second scales too."""
+    """Sets these ticks on all linear axes of a figure with default ticks, including second scales."""
     for ax in figure.axes:
         for one in [ax, *ax.child_axes]:
             for axis in (one.xaxis, one.yaxis):
-                # "function" is a second scale's
+                # "function" is the scale of a second axis
                 if axis.get_scale() in ("linear", "function") and isinstance(axis.get_major_locator(), MaxNLocator):
                     axis.set_major_locator(LinearTicks())
                     axis.set_major_formatter(LinearNumbers())
 
 
 def _length(axis):
-    """[in]"""
+    """Length of the axis [in]."""
     ax = axis.axes
     box = ax.bbox if ax is not None and ax.figure is not None else Bbox.unit()
     if not box.width > 1:

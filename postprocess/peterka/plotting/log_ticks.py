@@ -1,8 +1,8 @@
-"""Ticks of a logarithmic axis of any range whose labels don't run together.
+"""Ticks of a logarithmic axis of any range with labels that do not overlap.
 
-Matplotlib's own locators put as many labels on a logarithmic axis as its range has decades, whatever room there is.
-This one takes the densest of a few round sequences whose labels have room on the axis, and evenly spaced round numbers
-where the range is too narrow for any of them. Labels of one axis are all plain, or all powers of ten.
+Matplotlib's own locators place as many labels on a logarithmic axis as its range has decades, whatever the space. This one
+takes the densest of a few round sequences whose labels fit, and evenly spaced round numbers if the range is too narrow for
+any of them. The labels of an axis are all plain, or all powers of ten.
 """
 
 from collections.abc import Iterable
@@ -13,9 +13,9 @@ from matplotlib.ticker import Formatter, Locator, MaxNLocator
 from ..arrays import Reals
 
 SEQUENCES = [np.arange(1, 10), (1, 2, 5), (1,)]  # within a decade
-LETTER, LINE, SPACE = 0.079, 0.12, 0.09  # in: width and height of an 8 pt digit's room, least space between labels
-USUAL_LENGTH = 2.9  # in, of an axis that is in no figure
-PLAIN_FROM, PLAIN_TO = 1e-3, 1e5  # outside these powers of ten are shorter
+LETTER, LINE, SPACE = 0.079, 0.12, 0.09  # in: width and height of an 8 pt digit, least space between labels
+USUAL_LENGTH = 2.9  # in, of an axis without a figure
+PLAIN_FROM, PLAIN_TO = 1e-3, 1e5  # outside this range powers of ten are shorter
 ROUNDING = 1e-9
 
 
@@ -26,7 +26,7 @@ class LogTicks(Locator):
         return self.tick_values(*self.axis.get_view_interval())
 
     def tick_values(self, vmin: float, vmax: float) -> Reals:
-        """Those between two ends, which are round numbers where there is room for any."""
+        """The ticks between two ends, which are round numbers if any fit."""
         low, high = sorted((vmin, vmax))
         if not 0 < low < high < np.inf:
             return np.array([])
@@ -46,7 +46,7 @@ class LogTicks(Locator):
         return self.axis is not None and self.axis.axis_name == "y"
 
     def _length(self):
-        """Of the axis [in]."""
+        """Length of the axis [in]."""
         ax = getattr(self.axis, "axes", None)
         if ax is None or ax.figure is None:
             return USUAL_LENGTH
@@ -65,7 +65,7 @@ class LogNumbers(Formatter):
 
 
 def all_plain(values: Iterable[float]) -> bool:
-    """Whether labels are plain numbers; else they are powers of ten."""
+    """Whether labels are plain numbers; otherwise they are powers of ten."""
     return all(PLAIN_FROM <= value < PLAIN_TO for value in values)
 
 

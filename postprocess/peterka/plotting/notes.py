@@ -1,7 +1,7 @@
-"""A note beside a point of a picture, where it has room: inside the axes, over no other text and over no mark that is to be
-seen; else further away, with a line to its point. Where there is no room at all it is left out.
+"""Places a note beside a point of a picture where it fits: inside the axes, over no other text and no visible mark;
+otherwise farther away, with a line to its point. Without any free space it is omitted.
 
-A label of one of several points never goes far: it stands nearer to its own point than to any other."""
+A label of one of several points never goes far: it stays nearer to its own point than to any other."""
 
 from itertools import product
 
@@ -15,17 +15,17 @@ from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
-NEAR = (5, 9, 14, 20)  # pt: of a label from its point; beyond LINED with a line
+NEAR = (5, 9, 14, 20)  # pt: of a label from its point; with a line beyond LINED
 LINED = 9
 ROUND = [(across, up) for across in (1, -1, 0) for up in (0, 1, -1) if (across, up) != (0, 0)]
 AIR = 2  # pixels
-FRAME = 0.5  # of the size of letters
-PLACES = np.linspace(0.03, 0.97, 5)  # in the axes, where there is no room beside the point
-MORE_PLACES = np.linspace(0.02, 0.98, 21)  # for small letters
+FRAME = 0.5  # of the font size
+PLACES = np.linspace(0.03, 0.97, 5)  # in the axes, tried if nothing fits beside the point
+MORE_PLACES = np.linspace(0.02, 0.98, 21)  # for small text
 
 
 def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
-    """Once the layout is made; on the side of the point where the picture has more room."""
+    """Writes the note, after the layout is computed, on the side of the point with more space."""
     across, up = ax.transAxes.inverted().transform(ax.transData.transform((x, y)))
     right, above = (1 if across < 0.5 else -1), (1 if up < 0.5 else -1)
     sides = [(right, above), (right, -above), (-right, above), (-right, -above)]
@@ -42,8 +42,8 @@ def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
 
 
 def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
-    """The label of one of several marks, once all marks are drawn: close to its own, on whichever side there is room, or smaller.
-    Whether there was any."""
+    """Writes the label of one of several marks, after all marks are drawn: close to its own, on whichever side it fits, or
+    smaller. Returns whether it fits."""
     pixels = ax.get_figure().dpi / 72
     own = ax.transData.transform((x, y))
     marks = seen.boxes(ax)
@@ -103,7 +103,7 @@ def _write_apart(ax, x, y, text, taken):
 
 
 def _first_free(box, ax, places, taken):
-    """(across, up) of the first of these places at which a box of this size has room; None without one."""
+    """(across, up) of the first of these places at which a box of this size fits; None without one."""
     anchors = np.array(list(product(places, places)))
     size, start = np.array([box.width, box.height]), np.array([ax.bbox.x0, ax.bbox.y0])
     low = start + anchors * [ax.bbox.width, ax.bbox.height] - np.round(2 * anchors) / 2 * size
@@ -120,7 +120,7 @@ def _has_room(note, ax, taken):
 
 
 def _box(text):
-    """Of the letters alone: an annotation's own has its arrow, too. With the air that a frame has."""
+    """Extent of the text alone, as an annotation's own extent includes its arrow; with the padding of a frame."""
     if isinstance(text, Annotation):
         text.update_positions(_renderer(text))
     box = Text.get_window_extent(text, _renderer(text))
@@ -132,4 +132,4 @@ def _renderer(text):
     figure = text.get_figure()
     if hasattr(figure.canvas, "get_renderer"):
         return figure.canvas.get_renderer()
-    return RendererAgg(*np.ceil(figure.bbox.size), figure.dpi)  # of a figure that nobody has shown yet
+    return RendererAgg(*np.ceil(figure.bbox.size), figure.dpi)  # of a figure not shown yet

@@ -1,4 +1,4 @@
-"""What makes a function draw(file, ax, ...) a picture that anybody can call: with an open file or a dataset, in any style."""
+"""The decorator that turns draw(file, ax, ...) into a picture function for an open file or a dataset, in any style."""
 
 import functools
 from collections.abc import Callable
@@ -9,13 +9,13 @@ from .figures import figure_of
 
 
 def picture(reader: Callable) -> Callable:
-    """Decorates draw(file, ax=None, ...), which draws a checked file of the class `reader`. What it makes takes
+    """Decorates draw(file, ax=None, ...), which draws a checked file of the class `reader`. The decorated function takes
 
-        data     such a file, or an xarray.Dataset that peterka.open or peterka.run gave, or a part of one
+        data     such a file, or an xarray.Dataset from peterka.open or peterka.run, or a part of one
         ax       Axes made by subplots(), whose place the picture takes; None: a figure of its own
         options  those of the picture, and the fields of plotting.style.Style, such as palette="grey"
 
-    and returns the Axes, a list where the picture has several panels, or None where there is nothing to draw."""
+    and returns the Axes, a list if the picture has several panels, or None if there is nothing to draw."""
 
     def decorate(draw: Callable) -> Callable:
         @functools.wraps(draw)

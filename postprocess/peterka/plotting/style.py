@@ -1,4 +1,4 @@
-"""What a journal or a talk asks of a picture, the same for all pictures drawn inside `with using(...)`."""
+"""Style settings for journals or talks, common to all pictures drawn inside `with using(...)`."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,17 +23,16 @@ RC = {
     "hatch.linewidth": 0.5,
     "mathtext.fontset": "dejavusans",
     "pdf.fonttype": 42,
-    "svg.fonttype": "none",  # letters stay letters: searched, and edited in a drawing program
-    "svg.hashsalt": "peterka",  # the same file gives the same bytes
+    "svg.fonttype": "none",  # text stays text: searchable, and editable in a drawing program
+    "svg.hashsalt": "peterka",  # reproducible bytes
     "agg.path.chunksize": 20000,
 }
 
 
 @dataclass(frozen=True)
 class Style:
-    """`width` of a figure [mm], None: the picture's own; `dpi`, None: as fine as the cells want; `limits` (low, high) of
-    the scale of values, in the numbers on it; `log`: that scale logarithmic; `units`: scales in ratios and in SI, or in
-    one of both."""
+    """`width` of a figure [mm], None: the picture's own; `dpi`, None: as fine as the cells require; `limits` (low, high) of the scale
+    of values, in the numbers shown on it; `log`: whether that scale is logarithmic; `units`: scales in ratios, in SI units, or in both."""
 
     width: float | None = None
     dpi: int | None = None
@@ -58,13 +57,13 @@ _in_use = ContextVar("style_in_use", default=False)
 
 
 def current() -> Style:
-    """What pictures are drawn with now."""
+    """The current Style."""
     return _current.get()
 
 
 @contextmanager
 def using(**changes: Any) -> Iterator[Style]:
-    """Pictures drawn inside have these fields of a Style."""
+    """Pictures drawn inside the block have these fields of a Style."""
     token = _current.set(replace(_current.get(), **changes))
     used = _in_use.set(True)
     try:
@@ -76,16 +75,16 @@ def using(**changes: Any) -> Iterator[Style]:
 
 
 def rc() -> dict[str, object]:
-    """matplotlib's own settings in this style."""
+    """matplotlib's own settings for this style."""
     font = current().font
     return RC | ({"font.family": [font, "DejaVu Sans"]} if font else {})
 
 
 def is_in_use() -> bool:
-    """Whether this is inside `with using(...)`: outside, letters have matplotlib's own sizes."""
+    """Whether a `with using(...)` block is active: outside, fonts have matplotlib's own sizes."""
     return _in_use.get()
 
 
 def is_grey() -> bool:
-    """Whether pictures go without colours now."""
+    """Whether pictures are currently drawn without colours."""
     return current().palette == "grey"

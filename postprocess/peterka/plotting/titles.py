@@ -1,4 +1,4 @@
-"""The title of a picture, which it makes room for, and the last look at its layout."""
+"""The title of a picture, for which it reserves space, and the final layout."""
 
 import textwrap
 
@@ -17,9 +17,9 @@ MARGIN = 0.1  # in, left and right of it
 
 
 def write_title(figure: Figure, file: Titled, extra: str = "", ax: Axes | None = None) -> None:
-    """Title of the file, wrapped to the figure; `extra` below it, line by line. Never read as mathematics: it may hold
-    a $. To be called when the picture is complete, but for notes that look for a place. In a figure of somebody else's
-    it stands over `ax`, whose place the picture took, and that figure's layout is made when it is shown."""
+    """Title of the file, wrapped to the figure's width; `extra` follows line by line. Never interpreted as mathematics,
+    because it may contain a $. Call it when the picture is complete except for notes that still need a place. In a caller's
+    figure it is placed over `ax`, whose place the picture took, and that figure's layout is computed when it is shown."""
     own = isinstance(figure, Picture)
     width = (figure.get_figwidth() if own else figure.get_figwidth() * _share(ax)) - 2 * MARGIN
     texts = [file.title, *extra.split("\n")] if style.current().title else []
@@ -32,18 +32,18 @@ def write_title(figure: Figure, file: Titled, extra: str = "", ax: Axes | None =
     elif lines:
         assert ax is not None
         ax.set_title("\n".join(lines), fontsize=SIZE, parse_math=False)
-    # The layout is made of labels, which depend on the layout: a first round here, the second one when it is saved.
+    # The layout depends on the labels and they on the layout: first pass here, second when the figure is saved.
     figure.draw_without_rendering()
 
 
 def _share(ax):
-    """Of its figure's width that Axes have."""
+    """Share of the figure's width that the Axes occupy."""
     place = ax.get_subplotspec().get_position(ax.get_figure())
     return place.width
 
 
 def wrapped(text: str, width: float) -> list[str]:
-    """As few lines as fit into so many inches, and these about equally long."""
+    """Wraps into as few lines as fit this width [in], of about equal length."""
     letters = len(text)
     while letters > 1 and not _fits(text, letters, width):
         letters -= 1

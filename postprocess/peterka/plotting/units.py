@@ -1,4 +1,4 @@
-"""Amounts as a reader wants them: with the prefix that keeps the number between 1 and 1000."""
+"""Formats amounts with the prefix that keeps the number between 1 and 1000."""
 
 from collections.abc import Iterable
 
@@ -9,21 +9,21 @@ PLAIN_TO = 1e6
 
 
 def with_prefix(largest: float, unit: str) -> tuple[float, str]:
-    """(factor, unit with the prefix) that bring a scale's largest value to 1 ... 1000 where prefixes can."""
+    """(factor, unit with the prefix) that bring a scale's largest value to 1 ... 1000 if prefixes suffice."""
     fitting = [(size, letter) for size, letter in PREFIXES if largest >= size * (1 - 1e-12)]
     size, letter = fitting[-1] if fitting else (PREFIXES[0] if largest > 0 else (1, ""))
     return 1 / size, letter + unit
 
 
 def amount(value: float, unit: str, digits: int = 3) -> str:
-    """2714.2 N is "2.71 kN"."""
-    rounded = float(f"{value:.{digits}g}")  # 999.96 is 1 k
+    """2714.2 N becomes "2.71 kN"."""
+    rounded = float(f"{value:.{digits}g}")  # 999.96 becomes 1 k
     factor, unit = with_prefix(abs(rounded), unit)
     return f"{number(rounded * factor, digits)} {unit}"
 
 
 def number(value: float, digits: int = 3) -> str:
-    """Plain up to a million: 1085.6 is "1090"."""
+    """Plain up to a million: 1085.6 becomes "1090"."""
     rounded = float(f"{value:.{digits}g}")
     if not np.isfinite(rounded) or not 1e-4 <= abs(rounded) < PLAIN_TO:
         return f"{value:.{digits}g}"
@@ -31,7 +31,7 @@ def number(value: float, digits: int = 3) -> str:
 
 
 def number_apart(value: float, others: Iterable[float], digits: int = 3) -> str:
-    """With more digits where others that are not the same, but for rounding, would read the same."""
+    """With more digits if others that differ by more than rounding would read the same."""
     apart = [other for other in others if not np.isclose(other, value, rtol=1e-9, atol=0)]
     while digits < 9 and any(number(other, digits) == number(value, digits) for other in apart):
         digits += 1

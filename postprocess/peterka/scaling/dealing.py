@@ -1,15 +1,14 @@
-"""Replays the dealing of tiles to ranks, event by event: how long does a map take on so many ranks?
+"""Discrete-event replay of the distribution of tiles to ranks: predicts the run time of a map on a given number of ranks.
 
-Every rank has a few tiles in hand, takes another one when the first of them is done, and asks for its next run of
-tiles when it takes the last one of the present run. Rank 0 deals them in an order that scatters any run over the plane
-(tile_costs). It serves one request after the other, first come, first served, and computes in between, on single
-tiles: it looks for requests every so often, and its own tiles take longer by what it serves. A message takes a fixed
-time whatever else is under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is
-thought to be done one tile after the other.
+Every rank holds a few tiles, takes another when the first of them is done, and requests its next run of tiles when it takes
+the last one of its current run. Rank 0 deals the tiles in an order that scatters any run over the plane (tile_costs). It
+serves requests first come, first served, and computes in between, on single tiles: it polls for requests at fixed intervals,
+and serving them lengthens its own tiles. A message takes a fixed time whatever else is in progress. Start-up, writing and
+shutdown are omitted, and the tiles held by a rank are treated as executed one after the other.
 
-Which rank gets the last costly tile, and when, is chance: with few tiles a rank, times scatter by some per cent with a small
-change of any tile's time, and a quicker rank 0 may end later. So a mean counts, of replays whose tiles take a little more
-or less, as they would if they were measured again; the same ones for all machines that are compared.
+Which rank gets the last expensive tile, and when, is random: with few tiles per rank, run times vary by some per cent for a
+small change of any tile's time, and a faster rank 0 may even finish later. The mean of several replays is therefore used,
+with tile times perturbed as if measured again; the perturbations are the same for all machines compared.
 """
 
 from collections import deque
@@ -23,39 +22,39 @@ import numpy as np
 from .tile_costs import TileCosts
 
 RUNS_PER_RANK = 16
-MOST_REPLAYS, REPLAYED_TILES = 24, 400_000  # of one case, and in all of them
-MANY = 2000  # tiles a rank, from which on one replay is as good as another
-NOISE = 0.05  # of a tile's time, from one measurement to the next
+MOST_REPLAYS, REPLAYED_TILES = 24, 400_000  # for one case, and in total
+MANY = 2000  # tiles per rank from which a single replay suffices
+NOISE = 0.05  # of a tile's time, between measurements
 
 
 @dataclass(frozen=True)
 class Machine:
-    """Times in s."""
+    """Times of a machine in s."""
 
-    service: float  # of rank 0 for one run: its request, its answer and the reports on it
+    service: float  # of rank 0 for one run: its request, its answer and its reports
     latency: float  # of a message
-    look: float  # between two looks of rank 0 for requests, while it computes
-    in_hand: int = 2  # tiles that a rank works on
+    look: float  # between two polls of rank 0 for requests, while it computes
+    in_hand: int = 2  # tiles held by a rank
 
 
 @dataclass(frozen=True)
 class Replay:
-    """A map's course on so many ranks."""
+    """The run of a map on a number of ranks."""
 
     ranks: int
     seconds: float  # until the last rank is done
     work: float  # computing time of all tiles [s]
-    runs: int  # that rank 0 dealt to others
-    scatter: float = 0.0  # of the seconds: their standard deviation over the mean
+    runs: int  # dealt by rank 0 to others
+    scatter: float = 0.0  # of the seconds: standard deviation over mean
 
     @property
     def efficiency(self) -> float:
-        """Work over what all ranks had time for."""
+        """Parallel efficiency: work over the total time of all ranks."""
         return self.work / (self.ranks * self.seconds)
 
 
 def deal_size(remaining: int, tiles: int, ranks: int, runs_per_rank: int = RUNS_PER_RANK) -> int:
-    """How many tiles a run has; the program's rule (deal_size in src/parallel/tile_pool.cpp)."""
+    """The number of tiles in a run; the program's rule (deal_size in src/parallel/tile_pool.cpp)."""
     longest = max(tiles // (runs_per_rank * ranks), 1)
     return min(-(-remaining // (2 * ranks)), longest)
 
@@ -73,12 +72,12 @@ def typical(costs: TileCosts, ranks: int, machine: Machine, size: Callable[[int,
 
 
 def replay(costs: TileCosts, ranks: int, machine: Machine, size: Callable[[int, int, int], int] = deal_size) -> Replay:
-    """The course of a map with these TileCosts, as a Replay."""
+    """The run of a map with these TileCosts, as a Replay."""
     before, tiles, in_hand = costs.before, costs.count, machine.in_hand
     master = _Master(costs, machine)
-    requests = [(machine.latency, rank) for rank in range(1, ranks)]  # when rank 0 has them, and whose they are
+    requests = [(machine.latency, rank) for rank in range(1, ranks)]  # arrival time at rank 0, and the requesting rank
     heapify(requests)
-    done = [deque([0.0] * in_hand, in_hand) for _ in range(ranks)]  # when each rank ends its latest tiles
+    done = [deque([0.0] * in_hand, in_hand) for _ in range(ranks)]  # end times of each rank's latest tiles
     runs = 0
     while requests:
         arrival, rank = requests[0]
@@ -105,18 +104,18 @@ def replay(costs: TileCosts, ranks: int, machine: Machine, size: Callable[[int, 
 
 
 class _Master:
-    """Rank 0 as one that computes: takes tiles off the front of what is not dealt."""
+    """Rank 0 as a computing rank: takes tiles from the front of the undealt ones."""
 
     def __init__(self, costs, machine):
         self._costs = costs
         self._look = machine.look
         self._most = machine.in_hand
         self.now = 0.0  # s
-        self.in_hand = []  # what is left of its tiles [s]
+        self.in_hand = []  # remaining times of its tiles [s]
         self.dealt = 0  # tiles, by itself and to others
 
     def compute_until(self, moment):
-        """On to its first look for requests at or after this moment, or to the end of its last tile."""
+        """Advances to its first poll for requests at or after this time, or to the end of its last tile."""
         self._fill()
         time = ceil((moment - self.now) / self._look) * self._look
         if time < sum(self.in_hand):
@@ -129,9 +128,9 @@ class _Master:
         self._fill()
 
     def _finish_all(self, time):
-        """What it has in hand, and as many of the next tiles as it comes through in this time."""
+        """Adds the tiles that it completes within this time to those it holds."""
         before, tiles = self._costs.before, self._costs.count
-        reached = before(self.dealt) + time - sum(self.in_hand)  # on the axis of all tiles' times
+        reached = before(self.dealt) + time - sum(self.in_hand)  # on the cumulative axis of all tiles' times
         end = max(self._costs.turn_after(reached), self.dealt + 1)
         if end > tiles:
             self.now += sum(self.in_hand) + before(tiles) - before(self.dealt)

@@ -1,8 +1,8 @@
-"""Parallel efficiency against ranks: the measured tiles dealt again to any number of ranks (dealing), for maps of
-several sizes, and next to it what was measured.
+"""Parallel efficiency against ranks: the measured tiles replayed for any number of ranks (dealing), for maps of several
+sizes, next to the measured efficiency.
 
-Dotted: rank 0 answers without delay. Where a line leaves its dotted one, rank 0 is what the others wait for; where the dotted
-one falls, there are too few tiles for so many ranks.
+Dotted: rank 0 answers without delay. Where a line departs from its dotted one, rank 0 is the bottleneck; where the dotted
+line falls, there are too few tiles for that many ranks.
 """
 
 from collections.abc import Iterable, Sequence
@@ -22,27 +22,27 @@ from .tile_costs import TileCosts, goes_by_squares, tiles_of
 WIDTH, HEIGHT = 3.7, 3.0  # in, without the legend
 COLOURS = ("#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7")  # Okabe and Ito
 MARKERS = "osD^v"
-WELL_USED = 0.9  # efficiency down to which ranks are well used
+WELL_USED = 0.9  # efficiency above which ranks are well used
 
 
 @dataclass(frozen=True)
 class Curve:
-    """The same plane as a map of so many cells; members of shape (ranks,)."""
+    """The same plane as a map of this many cells; members of shape (ranks,)."""
 
     cells: int
     tiles: tuple[int, int]  # rows and columns
     replays: list[Replay]
-    ideal: list[Replay]  # the same with a rank 0 that answers without delay
+    ideal: list[Replay]  # the same for a rank 0 that answers without delay
 
 
 @dataclass(frozen=True)
 class Measured:
-    """One run."""
+    """A measured run."""
 
     cells: int
     ranks: int
     seconds: float
-    efficiency: float  # against the run of as many cells on one rank
+    efficiency: float  # relative to the run with as many cells on one rank
 
 
 def ranks_up_to(most: int) -> list[int]:
@@ -52,7 +52,7 @@ def ranks_up_to(most: int) -> list[int]:
 
 
 def curve(record: RunRecord, cells: int, ranks: Iterable[int], machine: Machine) -> Curve:
-    """The Curve of a map of about so many cells, as many along one side as along the other."""
+    """The Curve of a square map of about this many cells."""
     shape = record.shape if cells == record.cells else (isqrt(cells), isqrt(cells))
     tiles = tiles_of(shape)
     ideal = replace(machine, service=0.0)
@@ -66,7 +66,7 @@ def curve(record: RunRecord, cells: int, ranks: Iterable[int], machine: Machine)
 
 
 def measured_efficiency(records: Sequence[RunRecord]) -> tuple[list[Measured], list[RunRecord]]:
-    """(list of Measured, list of RunRecord without a run on one rank to compare with)."""
+    """(list of Measured, list of RunRecord without a one-rank run for comparison)."""
     alone: dict[tuple[int, int], float] = {}
     for record in records:
         if record.ranks == 1:
@@ -78,7 +78,7 @@ def measured_efficiency(records: Sequence[RunRecord]) -> tuple[list[Measured], l
 
 
 def most_ranks(replays: Iterable[Replay], least: float = WELL_USED) -> int:
-    """The largest number of ranks up to which all efficiencies are at least this; 1 rank always is well used."""
+    """The largest number of ranks up to which all efficiencies reach this value; 1 rank is always well used."""
     well = 1
     for one in replays:
         if one.efficiency < least:
@@ -88,14 +88,14 @@ def most_ranks(replays: Iterable[Replay], least: float = WELL_USED) -> int:
 
 
 def well_used(curve: Curve) -> str:
-    """Up to how many ranks, and whether rank 0 is what limits that."""
+    """The largest well-used number of ranks, and whether rank 0 limits it."""
     real, ideal = most_ranks(curve.replays), most_ranks(curve.ideal)
     ranks = f"{real} rank{'s' * (real > 1)}"
     return f"{ranks}, and up to {ideal} if rank 0 answered without delay" if ideal > real else f"{ranks}; rank 0 is not what limits it"
 
 
 def text(curves: Sequence[Curve], machine: Machine) -> str:
-    """The numbers of the picture, and where rank 0 is too slow."""
+    """The picture's numbers as lines, and where rank 0 is too slow."""
     lines = [f"{'cells':>9}{'ranks':>8}{'time [s]':>11}{'efficiency':>12}{'if rank 0 answered without delay':>34}"]
     for one in curves:
         for real, ideal in zip(one.replays, one.ideal):
@@ -111,7 +111,7 @@ def text(curves: Sequence[Curve], machine: Machine) -> str:
 
 
 def assumptions(machine: Machine) -> str:
-    """What the replay takes for granted, in a sentence."""
+    """The assumptions of the replay, in a sentence."""
     return (f"Rank 0 deals {_rate(machine)} runs a second and looks for requests every {1e6 * machine.look:.3g} µs, a "
             f"message takes {1e6 * machine.latency:.3g} µs; starting up and the file are left out.")
 

@@ -1,8 +1,8 @@
-"""What helps where rank 0 is too slow for so many ranks: longer runs, or groups of ranks with a dealer each.
+"""Remedies where rank 0 is too slow for the number of ranks: longer runs, or groups of ranks with one dealer each.
 
-    floor    a run takes at least as long as rank 0 needs to serve all ranks once; tiles are thought to cost the mean
-    groups   each group of ranks has a dealer of its own and every so-many-th tile, which is the same plane with that
-             many fewer tiles: the replay of one group stands for all
+    floor    a run lasts at least as long as rank 0 needs to serve all ranks once; tiles are assumed to cost the mean
+    groups   each group of ranks has its own dealer and every n-th tile for n groups, which is the same plane with 1/n of the
+             tiles: the replay of one group represents all
 """
 
 from collections.abc import Iterable
@@ -14,24 +14,24 @@ from .efficiency import Curve
 from .run_record import RunRecord
 from .tile_costs import TileCosts
 
-BEST_PART = 0.9  # efficiency over that of a rank 0 that answers without delay, below which there is something to remedy
-BUSY = 0.8  # share of its time that rank 0 may spend on serving
+BEST_PART = 0.9  # efficiency relative to that of a rank 0 that answers without delay, below which remedies are considered
+BUSY = 0.8  # largest share of time that rank 0 may spend on serving
 GROUP_SIZES = (100, 200, 500, 1000)  # ranks
 
 
 @dataclass(frozen=True)
 class Remedies:
-    """Efficiencies."""
+    """Efficiencies with and without each remedy."""
 
     ranks: int
     present: float
     floor: float
     groups: float
-    group_size: int  # of the best
+    group_size: int  # of the best grouping
 
 
 def text(record: RunRecord, curves: Iterable[Curve], machine: Machine) -> str:
-    """A line for each number of ranks of these scaling.Curves at which rank 0 costs more than a tenth of them all."""
+    """A line for each number of ranks of these Curves at which rank 0 costs more than a tenth of the efficiency."""
     lines = [f"{'cells':>9}{'ranks':>8}{'one dealer':>12}{'longer runs':>13}{'groups':>10}"]
     for curve in curves:
         for real, ideal in zip(curve.replays, curve.ideal):
@@ -43,7 +43,7 @@ def text(record: RunRecord, curves: Iterable[Curve], machine: Machine) -> str:
 
 
 def remedies(record: RunRecord, tiles: tuple[int, int], present: Replay, machine: Machine) -> Remedies:
-    """What each gives in place of this Replay of a plane of `tiles` (rows, columns) with the costs of a RunRecord."""
+    """Efficiencies of each remedy in place of this Replay of a plane of `tiles` (rows, columns) with the costs of a RunRecord."""
     ranks = present.ranks
     costs = TileCosts(record.tile_seconds, tiles, ranks)
     least = ceil(ranks * machine.service / (BUSY * costs.total / costs.count))

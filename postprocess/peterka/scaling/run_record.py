@@ -1,4 +1,4 @@
-"""What a finished map file tells of its run: the time of every tile, the ranks, the wall time of all tiles."""
+"""Run data of a finished map file: the time of every tile, the ranks, the wall time of all tiles."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,18 +12,18 @@ from .tile_costs import tiles_of, whole_tiles
 
 @dataclass(frozen=True)
 class RunRecord:
-    """What a finished map tells of its run."""
+    """Run data of a finished map."""
 
     path: str
     title: str
-    shape: tuple[int, int]  # cells
-    tile_seconds: np.ndarray  # [rows][columns] of tiles, each as if it were a whole one
+    shape: tuple[int, int]  # in cells
+    tile_seconds: np.ndarray  # [rows][columns] of tiles, each scaled to a full tile
     ranks: int
     seconds: float  # wall time of solving and storing the cells
 
     @property
     def cells(self) -> int:
-        """Of the map."""
+        """Number of cells of the map."""
         return self.shape[0] * self.shape[1]
 
 

@@ -1,7 +1,7 @@
-"""Computing time of every tile of a plane, or of a finer grid of the same plane, in the order in which they are dealt.
+"""Computing time of every tile of a plane, or of a finer grid of the same plane, in dealing order.
 
-On a finer grid each measured tile stands for the block of smaller tiles that cover its part of the plane; a tile of
-16 x 16 cells costs there what it costs here. Tiles at the border that hold fewer cells count as whole ones.
+On a finer grid each measured tile represents the block of smaller tiles that cover its part of the plane; a tile of 16 x 16
+cells costs the same on both grids. Tiles at the border with fewer cells count as full ones.
 """
 
 from copy import copy
@@ -14,14 +14,14 @@ import numpy as np
 from ..arrays import Integers, Reals
 
 TILE = 16  # cells along a side
-ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, from one tile dealt to the next
+ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, between successive tiles (R2 sequence, Roberts 2018)
 PIECE = 1 << 20  # tiles looked up at once
-MANY = 3500  # tiles a rank, from which on they are dealt by squares
+MANY = 3500  # tiles per rank from which they are dealt by squares
 
 
 class TileCosts:
-    """`seconds` [rows][columns] of the measured tiles; `shape` of the finer grid's tiles, default: the measured one; in
-    the order for so many `ranks`."""
+    """`seconds` [rows][columns] of the measured tiles; `shape` of the finer grid's tiles, default: the measured one; in the
+    order for this number of `ranks`."""
 
     def __init__(self, seconds: Reals, shape: tuple[int, int] | None = None, ranks: int = 1) -> None:
         seconds = np.asarray(seconds, dtype=float)
@@ -29,7 +29,7 @@ class TileCosts:
         measured_row = np.arange(rows) * seconds.shape[0] // rows
         measured_column = np.arange(columns) * seconds.shape[1] // columns
         self.count = rows * columns
-        self._before = np.zeros(self.count + 1)  # [s]; by turn, not counting those without a tile
+        self._before = np.zeros(self.count + 1)  # [s], cumulative by turn; turns without a tile count as 0
         order = DealOrder(rows, columns, ranks)
         end = 0
         for first in range(0, order.turns, PIECE):
@@ -41,7 +41,7 @@ class TileCosts:
         self.dearest = float(seconds[np.unique(measured_row)][:, np.unique(measured_column)].max())  # s
 
     def measured_again(self, random: np.random.Generator, noise: float) -> Self:
-        """TileCosts whose tiles take this share more or less, at random (standard deviation)."""
+        """TileCosts with randomly perturbed times (relative standard deviation)."""
         again = copy(self)
         costs = np.diff(self._before) * np.maximum(1 + noise * random.standard_normal(self.count), 0)
         again._before = np.concatenate([[0.0], np.cumsum(costs)])
@@ -49,11 +49,11 @@ class TileCosts:
         return again
 
     def before(self, turn: int) -> float:
-        """Time of all tiles dealt before this turn, 0 to count [s]."""
+        """Total time of the tiles dealt before this turn, 0 to count [s]."""
         return float(self._before[turn])
 
     def turn_after(self, seconds: float) -> int:
-        """The first turn before which the tiles take longer than this; count + 1 where all of them don't."""
+        """The first turn before which the tiles take longer than this; count + 1 if there is none."""
         return int(np.searchsorted(self._before, seconds, side="right"))
 
 
@@ -72,7 +72,7 @@ class DealOrder:
         self._alone_stride = deal_stride(1, self._alone)
 
     def places(self, turns: Integers) -> tuple[Integers, Integers]:
-        """Rows and columns of the tiles of these turns, without turns that have none."""
+        """Rows and columns of the tiles of these turns, omitting turns without a tile."""
         alone = (turns - self._first_alone) * self._alone_stride % self._alone
         places = np.where(turns < self._first_alone, turns, self._first_alone + alone)
         square, within = np.divmod(places, self._side**2)
@@ -84,12 +84,12 @@ class DealOrder:
 
 
 def goes_by_squares(tiles: int, ranks: int) -> bool:
-    """Whether tiles are dealt by squares of several: where a rank has many."""
+    """Whether tiles are dealt in squares of several: if there are many per rank."""
     return tiles // ranks >= MANY
 
 
 def deal_stride(rows: int, columns: int) -> int:
-    """From one square to the next, modulo all squares; scatters them evenly over the plane."""
+    """Stride from one square to the next, modulo all squares; scatters them evenly over the plane."""
     squares = rows * columns
     if squares < 2:
         return 1
@@ -99,7 +99,7 @@ def deal_stride(rows: int, columns: int) -> int:
 
 
 def _spread(stride, rows, columns):
-    """The least squared distance of two squares times the turns between them, up to 256, in a plane without edges."""
+    """The minimum over up to 256 turns of the squared distance of two squares times the turns between them, in a periodic plane."""
     squares = rows * columns
     turns = np.arange(1, min(squares - 1, 256) + 1)
     row, column = np.divmod(turns * stride % squares, columns)
@@ -108,14 +108,14 @@ def _spread(stride, rows, columns):
 
 
 def tiles_of(shape: tuple[int, int]) -> tuple[int, int]:
-    """Rows and columns of tiles of a grid of (rows, columns) cells."""
+    """Rows and columns of tiles for a grid of (rows, columns) cells."""
     rows, columns = shape
     return -(-rows // TILE), -(-columns // TILE)
 
 
 def whole_tiles(seconds: Reals, shape: tuple[int, int]) -> Reals:
-    """Times per tile in number order (n,), of a grid of (rows, columns) cells, as [rows][columns] of tiles; one cut off
-    by the border is scaled up to a whole one."""
+    """Times per tile in number order (n,), for a grid of (rows, columns) cells, as [rows][columns] of tiles; tiles cut by
+    the border are scaled to full size."""
     rows, columns = tiles_of(shape)
     cells = [np.minimum(TILE, side - TILE * np.arange(count)) for side, count in zip(shape, (rows, columns))]
     return np.reshape(seconds, (rows, columns)) * TILE**2 / np.outer(*cells)

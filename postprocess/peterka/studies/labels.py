@@ -1,8 +1,8 @@
-"""Labels of a small map by each method and tolerance: share of cells with another label, and of unverified cells,
-against computing time.
+"""Labels of a small map by each method and tolerance: shares of cells
+with a different label and of unverified cells, against computing time.
 
-Another label is another regime, p or q than the most careful run's. Shares of 0 have a place of their own at the foot
-of the scale, which is linear below one cell.
+A label differs if its regime, p or q differs from that of the most accurate run. Shares of 0 are drawn at the foot of the
+scale, which is linear below one cell.
 """
 
 import numpy as np
@@ -48,7 +48,7 @@ def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
 
 
 def _share_scale(ax, cells):
-    """0, then one cell ... 100 % evenly in the logarithm."""
+    """The scale from 0 to one cell, then logarithmic up to 100 %."""
     one_cell = 100 / max(cells, 1)
     axes.log_scale(ax, "x")
     ax.margins(x=0.06)

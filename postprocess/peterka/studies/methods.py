@@ -1,6 +1,6 @@
-"""The fixed look of each method of integration: colour (Okabe and Ito), marker, and name in words.
+"""The fixed look of each integration method: colour (Okabe and Ito), marker, and name in words.
 
-Markers differ too, so that pictures can be read in grey. Methods without a setting are a single point, not a line.
+Markers differ too, so that pictures are readable in grey. Methods without a setting are a single point, not a line.
 """
 
 from collections.abc import Iterable, Sequence
@@ -37,12 +37,12 @@ _LOOKS = {
 
 
 def look(method: str) -> Look:
-    """Of a method; one that isn't known has its own name and a grey mark."""
+    """The Look of a method; an unknown one has its own name and a grey marker."""
     return _LOOKS.get(method, Look(method.replace("_", " "), "#767676", "<"))
 
 
 def methods_in_order(method: Iterable[str]) -> list[str]:
-    """Names of the methods that occur in an array of words, known ones first, in the order of the legend."""
+    """Names of the methods in an array of words, known ones first, in legend order."""
     order = list(_LOOKS)
     known = {name for name in method if name}
     return sorted(known, key=lambda name: (order.index(name) if name in order else len(order), name))
@@ -50,8 +50,8 @@ def methods_in_order(method: Iterable[str]) -> list[str]:
 
 def draw_points(ax: Axes, x: Reals, y: Reals, method: str, low: Reals | None = None, high: Reals | None = None,
                 hollow: Sequence[bool] | None = None) -> None:
-    """A method's points in their order, joined by a line where there are several, with a band from low to high;
-    `hollow` marks points that stand for part of the work only."""
+    """A method's points in order, joined by a line if there are several, with a band from low to high; `hollow` marks points
+    that represent only part of the work."""
     appearance = look(method)
     if low is not None and len(x) > 1:
         ax.fill_between(x, low, high, color=appearance.colour, alpha=0.13, linewidth=0)

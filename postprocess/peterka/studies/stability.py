@@ -1,9 +1,8 @@
-"""Extreme scenes and what became of each with every engine; energy that periods lose, and the limit of a rigid stop.
+"""Extreme scenes and their outcome with every engine; energy imbalance per period, and the limit of a rigid stop.
 
-A square is coloured by the outcome and carries a mark, so that it can be read in grey; where an engine says why it has
-no result, the status in the file stands there. At the right: how far drive work and losses of a period are from each
-other, a point a scene; and the impact speed's difference to that on a rigid stop, which falls like the stiffness to the
-power -1/2.
+A square is coloured by the outcome and carries a mark, so that it is readable in grey; an engine without a result states its
+reason as the file's status. Right: the imbalance between drive work and losses per period, a point per scene; and the impact
+speed's difference from that on a rigid stop, which decreases as the stiffness to the power -1/2.
 """
 
 import re
@@ -25,7 +24,7 @@ SMALLEST = 1e-17
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of an engine in a scene: its words, its colour '#RRGGBB', the letter in its square."""
+    """Look of an engine's outcome in a scene: its words, its colour '#RRGGBB', the letter in its square."""
 
     label: str
     colour: str
@@ -63,7 +62,7 @@ def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
 
 
 def scene_name(word: str) -> str:
-    """A scene's name in words: 'frequency 0.01' of frequency_0_01."""
+    """A scene's name in words: 'frequency 0.01' for frequency_0_01."""
     return re.sub(r"(?<=\d)_(?=\d)", ".", word).replace("_", " ")
 
 
@@ -75,8 +74,8 @@ def status_word(table: Stability, scene: int, engine: int) -> str:
 
 
 def fitted_slope(stiffness: Reals, difference: Reals) -> tuple[float, float] | None:
-    """(slope, intercept) of ln |difference| over ln stiffness by least squares over the stiffer half of the rungs: the
-    power holds in the limit. None with fewer than 2 points."""
+    """(slope, intercept) of ln |difference| over ln stiffness by least squares over the stiffer half of the rungs, as the
+    power law is asymptotic. None with fewer than 2 points."""
     usable = (stiffness > 0) & np.isfinite(stiffness) & (np.abs(difference) > 0) & np.isfinite(difference)
     usable &= stiffness >= np.median(stiffness) if len(stiffness) else usable
     if np.sum(usable) < 2 or np.ptp(stiffness[usable]) == 0:
@@ -122,7 +121,7 @@ def _draw_imbalance(ax, table):
     for number, engine in enumerate(table.engine):
         imbalance = np.abs(table.energy_imbalance[:, number])
         imbalance = np.maximum(imbalance[np.isfinite(imbalance)], SMALLEST)
-        spread = 0.18 * np.sin(12.9898 * np.arange(len(imbalance)))  # points of one height would hide each other
+        spread = 0.18 * np.sin(12.9898 * np.arange(len(imbalance)))  # points of equal height would overlap
         ax.plot(imbalance, number + spread, **marker_look(engine) | {"markersize": 3.2, "markeredgewidth": 0.3})
     axes.log_scale(ax, "x")
     ax.grid(axis="y", visible=False)

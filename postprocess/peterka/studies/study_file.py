@@ -1,11 +1,11 @@
-"""A study's file, checked before anything in it is believed. Its `table` is that of its topic:
+"""A checked study file. Its `table` is that of its topic:
 
-    work_precision   error and time of methods of integration, runs x cells
-    labels           share of changed labels of a small map, one number a run
-    stability        what became of extreme scenes, scenes x engines, and the limit of a rigid stop
+    work_precision   error and time of integration methods, runs x cells
+    labels           share of changed labels of a small map, one number per run
+    stability        outcome of extreme scenes, scenes x engines, and the limit of a rigid stop
 
-Names stand in the file as flag_meanings; here they are arrays of words, "" where nothing is computed. Measured times
-are in the group `run`. Runs are called trials in the file, whose group `run` is what was measured.
+Names are stored as flag_meanings; here they are arrays of words, "" where nothing is computed. Measured times are in the
+group `run`. The file calls runs trials, because its group `run` holds the measurements.
 """
 
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class WorkPrecision:
     frequency_ratio: np.ndarray
     gap_ratio: np.ndarray
     method: np.ndarray
-    setting: np.ndarray  # tolerance; steps a cycle of a fixed step; 0 where there is none
+    setting: np.ndarray  # tolerance; steps per cycle for a fixed step; 0 if none
     outcome: np.ndarray  # done, failed, other_orbit
     error_peak_force: np.ndarray  # relative
     seconds_per_cycle: np.ndarray
@@ -68,12 +68,12 @@ class StudyFile(OpenedFile):
 
     @cached_property
     def computed(self) -> float:
-        """Share of the results that are there, 0 to 1."""
+        """The computed share of the results, 0 to 1."""
         table = self.table
         return float(np.mean(np.isfinite(table.changed_share) if self.topic == "labels" else table.outcome != ""))
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
+        """Sets the documented members; raises PeterkaFileError for invalid content."""
         topic = self.data.attribute("topic")
         if not isinstance(topic, str) or topic not in _READERS:
             raise self.refusal(f"is a study of {shown(topic)}; this program draws {', '.join(_READERS)}")
@@ -82,7 +82,7 @@ class StudyFile(OpenedFile):
 
 
 class _Columns:
-    """Reads whole datasets of known shapes."""
+    """Reads whole datasets of known shape."""
 
     def __init__(self, data):
         self._data = data

@@ -1,4 +1,4 @@
-"""Tables of studies in words, as Markdown; times are multiples of the exact engine's, so that they hold elsewhere."""
+"""Tables of studies as Markdown; times are multiples of the exact engine's, so that they carry over to other machines."""
 
 import numpy as np
 
@@ -8,12 +8,12 @@ from .stability import OUTCOMES, fitted_slope, scene_name, status_word
 from .study_file import Labels, Stability, WorkPrecision
 from .work_precision import care, points_of
 
-GOALS = (1e-3, 1e-6, 1e-9, 1e-12)  # errors in peak force asked for
+GOALS = (1e-3, 1e-6, 1e-9, 1e-12)  # requested errors in peak force
 NONE = "–"
 
 
 def work_precision_table(table: WorkPrecision) -> str:
-    """A row a method: its most careful run, and what the fastest run costs that keeps to an error in the median."""
+    """A row per method: its most accurate run, and the cost of the fastest run whose median error stays within a goal."""
     lines = {method: points_of(table, method) for method in methods_in_order(table.method)}
     unit, reference = _unit([point.seconds for point in lines.get("exact", [])], "µs", 1e6)
     rows = []
@@ -34,7 +34,7 @@ def work_precision_table(table: WorkPrecision) -> str:
 
 
 def labels_table(table: Labels) -> str:
-    """Rows of each method's roughest and most careful run."""
+    """Rows of each method's least and most accurate run."""
     exact = table.seconds_per_cell[(table.method == "exact") & (table.seconds_per_cell > 0)]
     unit, reference = _unit(exact, "ms", 1e3)
     rows = []
@@ -51,7 +51,7 @@ def labels_table(table: Labels) -> str:
 
 
 def stability_table(table: Stability) -> str:
-    """How often each engine has each outcome, and its largest energy imbalance."""
+    """The number of outcomes of each kind for each engine, and its largest energy imbalance."""
     rows = []
     for number, engine in enumerate(table.engine):
         imbalance = np.abs(table.energy_imbalance[:, number])
@@ -63,7 +63,7 @@ def stability_table(table: Stability) -> str:
 
 
 def where_engines_break(table: Stability) -> str:
-    """A list of the scenes in which an engine says why it has no result, by status, or is wrong."""
+    """A list of the scenes in which an engine gives a reason for having no result, by status, or is wrong."""
     lines = []
     for number, engine in enumerate(table.engine):
         scenes: dict[str, list[str]] = {}
@@ -77,7 +77,7 @@ def where_engines_break(table: Stability) -> str:
 
 
 def rigid_limit_sentence(table: Stability) -> str:
-    """With which power of the stiffness the impact speed tends to its limit; empty where that isn't measured."""
+    """The power of the stiffness with which the impact speed tends to its limit; empty if not measured."""
     fit = fitted_slope(table.contact_stiffness, table.speed_difference)
     if fit is None:
         return ""
@@ -93,7 +93,7 @@ def _share_not_done(table, method):
 
 
 def _unit(exact, unit, per_second):
-    """(the head of a column, seconds of one unit): the exact engine's time, or the plain unit where it is missing."""
+    """(column head, seconds per unit): the exact engine's time, or the plain unit if it is missing."""
     return ("exact = 1", float(min(exact))) if len(exact) else (unit, 1 / per_second)
 
 

@@ -1,7 +1,7 @@
-"""Work and precision: error in peak force against computing time per forcing cycle, one line a method.
+"""Work and precision: error in peak force against computing time per forcing cycle, one line per method.
 
-A point is the median over the cells of one setting, a band goes from the smallest to the largest error of a cell. A
-point is hollow where the method did not come through all the cells: it stands for the others only.
+A point is the median over the cells for one setting, a band spans the smallest to the largest error of a cell. A point is
+hollow if the method failed in some cells: it represents only the others.
 """
 
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ from .methods import draw_points, look, marker_look, methods_in_order
 from .study_file import StudyFile, WorkPrecision
 
 WIDTH, HEIGHT = 3.7, 3.1  # in, without the legend
-SMALLEST_ERROR = 1e-17  # an error of 0 is drawn here: below the rounding of a double
+SMALLEST_ERROR = 1e-17  # an error of 0 is drawn here: below the unit roundoff of a double
 
 
 @dataclass(frozen=True)
 class Point:
-    """A method at one setting; errors relative, of the cells that it came through."""
+    """A method at one setting; relative errors of the cells that it completed."""
 
     setting: float
     seconds: float
@@ -33,7 +33,7 @@ class Point:
 
 
 def points_of(table: WorkPrecision, method: str) -> list[Point]:
-    """The Points of a method, the roughest setting first; without those at which it came through no cell at all."""
+    """The Points of a method, the coarsest setting first; settings without any completed cell are omitted."""
     points = []
     for run in np.flatnonzero(table.method == method):
         errors, seconds = table.error_peak_force[run], table.seconds_per_cycle[run]
@@ -46,13 +46,13 @@ def points_of(table: WorkPrecision, method: str) -> list[Point]:
 
 
 def care(setting: float) -> float:
-    """A number that grows with the care a setting asks for: steps a cycle, or the inverse of a tolerance."""
+    """A number that increases with the accuracy of a setting: steps per cycle, or the inverse of a tolerance."""
     return 1 / setting if 0 < setting < 1 else setting
 
 
 @picture(StudyFile)
 def draw(file: StudyFile, ax: Axes | None = None) -> Axes | None:
-    """The diagram of a study of work and precision; None where no run came through."""
+    """The diagram of a study of work and precision; None if no run completed."""
     lines = {method: points_of(file.table, method) for method in methods_in_order(file.table.method)}
     lines = {method: points for method, points in lines.items() if points}
     if not lines:

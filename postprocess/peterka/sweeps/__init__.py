@@ -1,2 +1,2 @@
-"""Sweeps: the checked file (sweep_file), what the pictures share (sweep_panels), response and bifurcation, and
-how far measured points are from them (residuals)."""
+"""Sweeps: the checked file (sweep_file), elements shared by the pictures (sweep_panels), response and bifurcation diagrams,
+and residuals of measured points (residuals)."""

@@ -23,7 +23,7 @@ WHERE = {
     "impact_displacement": ("$x/A_0$ at first touch", "x at first touch (mm)"),
 }
 LEAST_CHANGE = 1e-6  # of the largest displacement: rounding may change a verified motion by 5e-8
-# The falling branch lies below in larger, paler dots: where both agree a dark dot has a pale ring.
+# The falling branch is drawn below in larger, paler dots: where both agree, a dark dot has a pale ring.
 DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 2),
         "independent": (LOOKS["independent"].colour, 0.9, 3)}
 
@@ -32,7 +32,7 @@ DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
          borders: Sequence[Border] = NO_BORDERS, unstable: Sequence[UnstableBranch] = NO_UNSTABLE,
          name: str = "stroboscopic_displacement") -> list[Axes] | None:
-    """The diagram of one of WHERE as a list of Axes, one for each gap; None where nothing is sampled."""
+    """The diagram of one of WHERE as a list of Axes, one per gap; None if there are no samples."""
     samples = {branch.row: file.samples(name, branch) for branch in file.branches}
     if not any(len(points) for points, _ in samples.values()):
         return None
@@ -59,7 +59,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
 
 
 def _keep_rounding_flat(ax):
-    """Where nothing changes, the scale would magnify rounding: a tenth of the value on either side instead."""
+    """Widens the range of a constant to a tenth of its value on either side; autoscaling would magnify rounding."""
     low, high = ax.get_ylim()
     largest = max(abs(low), abs(high))
     if high - low < LEAST_CHANGE * largest:

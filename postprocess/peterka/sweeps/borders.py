@@ -1,7 +1,7 @@
-"""Where the motions of a sweep end or change, from curves of the same rig: folds, period doublings and grazings at its gaps.
+"""Boundaries of a sweep's motions, from curves of the same rig: folds, period doublings and grazings at its gaps.
 
-The curves' job names the gaps of the sweep in curves.gap_ratio. Of all curves there those are taken that bound a motion
-which a branch of the sweep has next to them.
+The curves' job lists the sweep's gaps in curves.gap_ratio. Of all curves there, those are kept that bound a motion which a
+branch of the sweep has next to them.
 """
 
 import tomllib
@@ -23,7 +23,7 @@ from .sweep_file import SweepFile
 
 @dataclass(frozen=True)
 class Border:
-    """`kind` of WORDS; p and q of the orbit on the stable side of the curve, and one of the sweep's gaps."""
+    """`kind` from WORDS; p and q of the orbit on the stable side of the curve, and one of the sweep's gaps."""
 
     frequency_ratio: float
     gap: float
@@ -36,7 +36,7 @@ NO_BORDERS: tuple[Border, ...] = ()
 
 
 def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
-    """The borders that the sweep's branches meet, by gap and frequency."""
+    """The borders met by the sweep's branches, ordered by gap and frequency."""
     if not isinstance(sweep, SweepFile) or sweep.axis_name != "frequency_ratio":
         raise PeterkaFileError(f"{sweep.path} is no sweep over frequency_ratio; borders are drawn over one")
     with CurvesFile(path) as file:
@@ -54,18 +54,18 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
 
 
 def at_gap(borders: Sequence[Border], gap: float | None) -> list[Border]:
-    """Those at one of the sweep's gaps."""
+    """The borders at one of the sweep's gaps."""
     return [border for border in borders if border.gap == gap]
 
 
 def handles(borders: Sequence[Border]) -> list[Line2D]:
-    """Entries of a legend: each kind once."""
+    """Legend entries: one per kind."""
     return [Line2D([], [], label=WORDS[kind], color=COLOURS[kind], **_look(kind))
             for kind in WORDS if any(border.kind == kind for border in borders)]
 
 
 def draw_borders(ax: Axes, borders: Sequence[Border]) -> None:
-    """A line across the panel at each."""
+    """Draws a vertical line at each border."""
     low, high = ax.get_xlim()
     for border in borders:
         if low <= border.frequency_ratio <= high:
@@ -73,7 +73,7 @@ def draw_borders(ax: Axes, borders: Sequence[Border]) -> None:
 
 
 def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
-    """Lines; in Hz where the file tells the rig."""
+    """A list of the borders, as lines; in Hz if the file gives the rig."""
     hertz = sweep.positive("natural_frequency_hz")
     rows = [("frequency [Hz]" if hertz else "Omega/omega", "gap/A0", "z", "border")]
     rows += [(f"{border.frequency_ratio * (hertz or 1):.9g}", f"{border.gap:.6g}", f"{border.impacts}/{border.period}",
@@ -96,7 +96,7 @@ def _rig(file):
 
 
 def _is_met(sweep, border):
-    """Whether a branch has the motion of one side within a step and a half."""
+    """Whether a branch has the motion of one side within one and a half steps."""
     near = np.abs(sweep.values - border.frequency_ratio) <= 1.5 * np.max(np.diff(sweep.values))
     p, q = border.impacts, border.period
     sides = {(p, q)} | ({(2 * p, 2 * q)} if border.kind == "period_doubling" else set())

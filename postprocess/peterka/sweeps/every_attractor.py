@@ -1,4 +1,4 @@
-"""Every attractor at each point of a sweep with [starts], whatever its branches are on: thin dots below these."""
+"""Every attractor at each point of a sweep with [starts], whichever its branches follow: thin dots below the branches."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,7 +12,7 @@ SIZE = 1.0  # pt
 
 
 def handles(file: SweepFile) -> list[Line2D]:
-    """Entries of a legend: one where the sweep has [starts]."""
+    """Legend entries: one if the sweep has [starts]."""
     return [Line2D([], [], label="attractors that are known", **DOTS | {"markersize": 3 * SIZE})] if file.slots else []
 
 
@@ -26,18 +26,18 @@ def forces(file: SweepFile, gap: float | None) -> tuple[np.ndarray, np.ndarray]:
 
 
 def draw(ax: Axes, x: np.ndarray, y: np.ndarray, size: float = SIZE) -> None:
-    """Dots below all branches, at these places of a panel, (n,) each."""
+    """Draws dots below all branches, at these positions of a panel, (n,) each."""
     if len(x):
         ax.plot(x, y, **DOTS, markersize=size, zorder=1.3, rasterized=len(x) > 5000)
 
 
 def draw_samples(ax: Axes, file: SweepFile, gap: float | None, name: str, size: float) -> None:
-    """`name` as of the branches' own samples."""
+    """The same for samples; `name` as for the branches' own."""
     if file.slots:
         points, values = file.attractor_samples(name, _first(file, gap))
         draw(ax, file.values[points], values, size)
 
 
 def _first(file: SweepFile, gap: float | None) -> Branch:
-    """Branches of one gap share their attractors."""
+    """A branch of the gap; branches of one gap share their attractors."""
     return file.at_gap(gap)[0]

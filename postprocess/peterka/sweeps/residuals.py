@@ -1,4 +1,4 @@
-"""How far measured forces are from a sweep: each from every branch and every other attractor of its gap, as a table."""
+"""Residuals of measured forces against a sweep: each point against every branch and every other attractor of its gap, as a table."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -13,7 +13,7 @@ from .sweep_file import OF_ATTRACTORS, SweepFile
 
 
 def residuals(file: SweepFile, points: Iterable[Point]) -> list[list[Match]]:
-    """[Match] of each point with a force, in their order; those outside the sweep have none."""
+    """The [Match] of each point with a force, in their order; empty for points outside the sweep."""
     slots = {gap: _slots(file, file.at_gap(gap)) for gap in file.gaps}
     ends = file.values[0], file.values[-1]
     return [matches(point, _places(file, point, slots)) for point in points
@@ -21,14 +21,14 @@ def residuals(file: SweepFile, points: Iterable[Point]) -> list[list[Match]]:
 
 
 def table(file: SweepFile, found: Sequence[Sequence[Match]]) -> list[str]:
-    """Lines; in Hz, mm and N where the file tells the rig."""
+    """The table as lines; in Hz, mm and N if the file gives the rig."""
     hertz = 1.0 if file.axis_name == "frequency_hz" else file.positive("natural_frequency_hz")
     metres = 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
     return tables.table([each for each in found if each], tables.Units(hertz, metres and 1000 * metres, file.newtons))
 
 
 def _slots(file, branches):
-    """({dataset: (slots, points)}, those on which a branch is (points, branches)) of a gap; None without [starts]."""
+    """({dataset: (slots, points)}, slots occupied by branches (points, branches)) of a gap; None without [starts]."""
     return (file.attractors(branches[0]), np.column_stack([file.start_attractor(branch) for branch in branches])) if file.slots else None
 
 
@@ -42,7 +42,7 @@ def _places(file, point, slots):
 
 
 def _on_branch(branch, at, first, last):
-    """Its motion at a point; that goes on to the other one, but across a jump."""
+    """A branch's motion at a point; it continues to the other point except across a jump."""
     motion = known(branch.regime[at], branch.impacts[at], branch.period[at], branch.force[at])
     jumps = first != last and branch.jump[first if branch.direction == "down" else last]
     return None if motion is None else replace(motion, key=(branch.row, at if jumps else None),
@@ -50,7 +50,7 @@ def _on_branch(branch, at, first, last):
 
 
 def _merged(motions):
-    """Both branches of a gap are often on the same orbit: told once."""
+    """The branches' motions; both branches of a gap often follow the same orbit, which is listed once."""
     found: list[Known] = []
     for motion in filter(None, motions):
         same = next((n for n, one in enumerate(found) if (one.force, one.key[1]) == (motion.force, motion.key[1])), None)
@@ -62,7 +62,7 @@ def _merged(motions):
 
 
 def _beside(slots, at):
-    """The attractors of a point on which no branch is."""
+    """The attractors at a point that no branch follows."""
     if slots is None:
         return []
     cells, taken = slots

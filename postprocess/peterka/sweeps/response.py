@@ -1,7 +1,7 @@
-"""Frequency response of a sweep: peak force against the excitation frequency, a panel for each gap (the paper's Figs. 9
-to 11 and 14 to 16), with jumps and the largest force of z = 1/1: the impact resonance, where it is a maximum inside.
+"""Frequency response of a sweep: peak force against the excitation frequency, a panel per gap (the paper's Figs. 9 to 11 and
+14 to 16), with jumps and the largest force of z = 1/1, which is the impact resonance if it is an interior maximum.
 
-Motions with a period are lines; largest forces of those without one, over the window observed, are single marks.
+Periodic motions are lines; the largest forces of other motions, over the observation window, are single marks.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ from .unstable import at_gap as unstable_at_gap
 from .unstable import handles as unstable_handles
 
 MOST_LABELLED = 3  # jumps of a branch
-CLOSE = 0.004  # of the panel's width: marks of both branches that are closer than this are one
+CLOSE = 0.004  # of the panel's width: marks of both branches closer than this are merged
 RESONANCE = {"marker": "*", "markersize": 9, "markeredgecolor": "black", "markeredgewidth": 0.7, "linestyle": "none"}
 CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 
@@ -32,7 +32,7 @@ CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 @picture(SweepFile)
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
          borders: Sequence[Border] = NO_BORDERS, unstable: Sequence[UnstableBranch] = NO_UNSTABLE) -> list[Axes] | None:
-    """The response as a list of Axes, one for each gap; None where no point has a force."""
+    """The response as a list of Axes, one per gap; None if no point has a force."""
     if not _largest(file) > 0:
         return None
     second = _second_scale(file)
@@ -57,7 +57,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
 
 
 def _largest(file):
-    """Force of all branches and attractors."""
+    """The largest force of all branches and attractors."""
     return float(max(*(_largest_of(branch) for branch in file.branches),
                      *(every_attractor.forces(file, gap)[1].max(initial=0.0) for gap in file.gaps)))
 
@@ -74,7 +74,7 @@ def _second_scale(file):
 
 
 def _limits(file, gap, top):
-    """(bottom, top) of the forces shown, F/(m g). Limits that are asked for are in the numbers on the scale."""
+    """(bottom, top) of the forces shown, F/(m g). Requested limits are in the numbers of the scale."""
     forces = np.concatenate([branch.force[branch.force > 0] for branch in file.at_gap(gap)])
     bottom = 0.9 * float(forces.min(initial=top / 10)) if style.current().log else 0.0
     if style.current().limits:
@@ -139,7 +139,7 @@ def _jump_notes(file, gap):
 
 
 def _mark_strongest(ax, file, gap):
-    """A star at the resonance of each branch, a square at a largest force that is none; gives their notes."""
+    """A star at the resonance of each branch, a square at a largest force that is not a maximum; returns their notes."""
     notes = []
     for branch in file.at_gap(gap):
         at = branch.strongest_single()
@@ -156,6 +156,6 @@ def _mark_strongest(ax, file, gap):
 
 
 def _add(notes, file, note):
-    """Unless there is one already for the same place."""
+    """Appends a note unless there is already one at the same place."""
     if all(abs(note[0] - other[0]) > CLOSE * np.ptp(file.values) for other in notes):
         notes.append(note)

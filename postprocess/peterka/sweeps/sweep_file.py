@@ -1,5 +1,5 @@
-"""A sweep's file, checked before anything in it is believed: branches along the frequency, one for each gap and
-direction, each with the classes and peak forces of a map and with samples of its steady motions.
+"""A checked sweep file: branches along the frequency, one for each gap and direction, each with the classes and peak forces
+of a map and with samples of its steady motions.
 
 Layout versions 2 and 3, on [branch][frequency_ratio], or another axis of its job: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
 jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
@@ -34,7 +34,7 @@ _GAPS = ("gap_ratio", "gap_m")
 
 @dataclass(frozen=True)
 class Branch:
-    """Of one gap and direction; every array (points,), along the frequencies."""
+    """One gap and direction; every array has shape (points,), along the axis."""
 
     row: int
     gap_ratio: float | None  # None where the gap is the axis
@@ -43,28 +43,28 @@ class Branch:
     impacts: np.ndarray
     period: np.ndarray
     force: np.ndarray  # F/(m g), NaN where there is none
-    jump: np.ndarray  # whether the force jumps on the way here, from the point before in the branch's direction
+    jump: np.ndarray  # whether the force jumps from the previous point in the branch's direction to this one
 
     @property
     def has_period(self) -> Mask:
-        """Which points have a motion with a period and a force, (points,)."""
+        """Mask of the points with a periodic motion and a force, (points,)."""
         return ~np.isin(self.regime, WITHOUT_PERIOD) & np.isfinite(self.force)
 
     def jumps(self) -> list[tuple[int, int]]:
-        """(index of the point before, index of the point after) of each jump, the largest first."""
+        """(index before, index after) of each jump, the largest first."""
         after = np.flatnonzero(self.jump)
         before = after + 1 if self.direction == "down" else after - 1
         order = np.argsort(-np.abs(self.force[after] - self.force[before]), kind="stable")
         return [(int(before[i]), int(after[i])) for i in order]
 
     def strongest_single(self) -> int | None:
-        """Index of the largest force among z = 1/1; None where no point has one."""
+        """Index of the largest force among z = 1/1; None if no point has one."""
         single = self._single()
         return int(np.argmax(np.where(single, self.force, -1.0))) if single.any() else None
 
     def is_resonance(self, at: int) -> bool:
-        """Whether the largest force is a maximum inside its band of z = 1/1; else it may be cut off, by a jump, by another
-        class or by the end of the sweep."""
+        """Whether the largest force is a maximum inside its band of z = 1/1; otherwise it may be cut off by a jump, by
+        another class or by the end of the sweep."""
         inside = 0 < at < len(self.force) - 1
         landings = (at, at - 1) if self.direction == "down" else (at, at + 1)
         return bool(inside and self._single()[at - 1:at + 2].all() and not self.jump[list(landings)].any())
@@ -74,9 +74,8 @@ class Branch:
 
 
 class SweepFile(OpenedFile):
-    """A checked, open sweep: axis, its name axis_name, values (points,), branches, gaps, in ratios unless gap_name is gap_m, for the
-    cart's amplitude is the axis; slots, the number of attractors kept at each point
-    (0 without [starts])."""
+    """A checked, open sweep: axis, its name axis_name, values (points,), branches, gaps (ratios unless gap_name is gap_m
+    because the cart's amplitude is the axis), and slots, the number of attractors stored at each point (0 without [starts])."""
 
     gap_name = "gap_ratio"
 
@@ -101,11 +100,11 @@ class SweepFile(OpenedFile):
         return points, values[points, columns]
 
     def attractor_samples(self, name: str, branch: Branch) -> tuple[Integers, Reals]:
-        """The same of the motions on all attractors of the branch's points."""
+        """The same for the motions on all attractors of the branch's points."""
         return self.samples(f"attractor_{name}", branch)
 
     def attractor_forces(self, branch: Branch) -> Reals:
-        """(slots, points) [F/(m g)]; NaN in empty slots and where an attractor has none."""
+        """Forces (slots, points) [F/(m g)]; NaN in empty slots and for attractors without one."""
         slots = self.attractors(branch)
         return np.where(slots["attractor_regime"] >= 0, np.asarray(slots["attractor_peak_force_ratio"], dtype=float), np.nan)
 
@@ -116,11 +115,11 @@ class SweepFile(OpenedFile):
         return slots
 
     def start_attractor(self, branch: Branch) -> Integers:
-        """The slot in which a branch is at each of its points, (points,); below 0 in none."""
+        """The attractor slot of a branch at each of its points, (points,); negative if none."""
         return np.asarray(self.data.values("start_attractor", branch.row))
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
+        """Sets the documented members; raises PeterkaFileError for invalid content."""
         names = axes_of_job(self.data.attribute("job"))
         self.axis = coordinate(self, names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio")
         self.axis_name = self.axis.name
@@ -138,7 +137,7 @@ class SweepFile(OpenedFile):
                          for row, (gap, direction) in enumerate(zip(gaps, directions))]
 
     def _gaps(self) -> list[float | None]:
-        """Of each branch: its own, or that of the whole file; None where the gap is the axis."""
+        """Gaps of the branches: one each, or a common one for the whole file; None if the gap is the axis."""
         stored = next((name for name in _GAPS if self.data.has(name) and self.axis.stored not in _GAPS), None)
         if stored is None:
             branches = self.data.dataset("direction", None, INTEGER).shape
@@ -154,7 +153,7 @@ class SweepFile(OpenedFile):
 
     @property
     def frequency_ratio(self) -> Reals:
-        """The points, of a sweep over the frequency; the same for all points of another where the file tells."""
+        """Frequency ratios at the points: the axis of a frequency sweep; otherwise a common value if the file gives it."""
         shared = self.positive("frequency_ratio")
         return self.values if self.axis_name == "frequency_ratio" or shared is None else np.full(len(self.values), shared)
 
@@ -199,6 +198,6 @@ class SweepFile(OpenedFile):
         if not np.isin(cells["jump"], [0, 1, NOT_COMPUTED]).all():
             raise self.refusal("has a jump that is neither 0 nor 1")
         jump = cells["jump"] == 1
-        jump[-1 if direction == "down" else 0] = False  # nothing lies before
+        jump[-1 if direction == "down" else 0] = False  # there is no previous point
         return Branch(row, gap, direction, cells["regime"], cells["impacts"], cells["period"],
                       np.asarray(cells["peak_force_ratio"], dtype=float), jump)

@@ -1,8 +1,8 @@
-"""What pictures of a sweep share: a panel for each gap, the classes of the motions above it, second scales, measured
-points, and how the directions look.
+"""Shared by the pictures of a sweep: a panel per gap, the classes of the motions above it, second scales, measured points,
+and the looks of the directions.
 
-Directions differ in line, marker and brightness, so that they are told apart without colour, too. Their colours, and that
-of measured points, are those of no class.
+Directions differ in line, marker and brightness, so that they are distinguishable without colour. Their colours, and that of
+measured points, differ from those of all classes.
 """
 
 from collections.abc import Sequence
@@ -22,13 +22,13 @@ from .sweep_file import SweepFile
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
-ROW, LETTER = 0.085, 0.0093  # height of a line of notes and width of its letters, over those of the panel
-STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
+ROW, LETTER = 0.085, 0.0093  # height of a line of notes and width of a character, over those of the panel
+STRIP_LETTERS = 0.011  # width of a 6.5 pt character over that of a panel
 
 
 @dataclass(frozen=True)
 class Look:
-    """Of a direction; its label has a place for what the sweep runs along."""
+    """Look of a direction; its label has a placeholder for the swept coordinate."""
 
     label: str
     colour: str
@@ -54,9 +54,10 @@ def direction_words(file: SweepFile, direction: str) -> str:
 
 def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tuple[str, float] | None, ax: Axes | None = None,
            log: bool = False) -> dict[float | None, Axes]:
-    """A figure with an Axes for each gap, the classes of its branches and its gap above it.
+    """A figure with an Axes per gap, with the classes of its branches and its gap above it.
 
-    `second` is the (label, factor) of a second scale at the right, or None; `log`: whether heights are logarithmic. Returns {gap: Axes}."""
+    `second` is the (label, factor) of a second scale at the right, or None;
+    `log`: whether the vertical axis is logarithmic. Returns {gap: Axes}."""
     figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
                                     panels=len(file.gaps), columns=4, ax=ax)
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
@@ -78,12 +79,12 @@ def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tupl
 
 
 def measured_handles(measured: Measurements, quantity: str) -> list[Artist]:
-    """Entries of the legend: each series once that has points with this quantity."""
+    """Legend entries: one for each series that has points with this quantity."""
     return marks.handles([point for point in measured.points if getattr(point, quantity) is not None])
 
 
 def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity: str) -> None:
-    """`quantity` is the height of a point; points of a frequency alone are marks across the panel."""
+    """Draws points at the height `quantity`; points with only a frequency are marks across the panel."""
     low, high = ax.get_xlim()
     points = [point for point in measured.at_gap(gap) if low <= point.frequency <= high]
     marked = [point for point in points if getattr(point, quantity) is not None]
@@ -95,14 +96,14 @@ def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity:
 
 
 def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
-    """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
-    line down to its place; the data reach from `bottom` up to `top`."""
+    """Writes notes (frequency, height, text, colour) above all data, in as few lines as fit, each with a thin line down to
+    its place; the data extend from `bottom` to `top`."""
     low, high = ax.get_xlim()
     placed: list[tuple] = []
     for frequency, height, text, colour in sorted(notes):
         across = (frequency - low) / (high - low)
         first = min(across, 1 - LETTER * len(text))
-        # below every note that it would run into: the lines down cross none of them
+        # below every note that it would overlap: the vertical lines then cross none of them
         line = max((other[0] + 1 for other in placed if other[1] + LETTER * len(other[4]) > first), default=0)
         placed.append((line, first, frequency, height, text, colour))
     head = ROW * max((note[0] + 1 for note in placed), default=0) + 0.03
@@ -116,13 +117,13 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
 
 
 def _at_share(ax, share):
-    """The height that lies so far up in a panel."""
+    """The height at this relative position in a panel."""
     low, high = ax.get_ylim()
     return low * (high / low) ** share if ax.get_yscale() == "log" else low + share * (high - low)
 
 
 def frequency_text(file: SweepFile, ratio: float) -> str:
-    """A frequency ratio in words, and in Hz where the file tells the rig; in pictures in SI alone in these."""
+    """A frequency ratio in words, and in Hz if the file gives the rig; in Hz only for pictures in SI units alone."""
     hertz = _hertz(file)
     if hertz and style.current().units == "si":
         return f"{ratio * hertz:.4g} Hz"
@@ -130,12 +131,12 @@ def frequency_text(file: SweepFile, ratio: float) -> str:
 
 
 def _hertz(file):
-    """Of an axis of frequency ratios; None of others."""
+    """Natural frequency [Hz] for an axis of frequency ratios; None for others."""
     return file.positive("natural_frequency_hz") if file.axis_name == "frequency_ratio" else None
 
 
 def directions(file: SweepFile) -> list[str]:
-    """Of all branches, each once, in the order of the file."""
+    """The directions of all branches, each once, in the order of the file."""
     return list(dict.fromkeys(branch.direction for branch in file.branches))
 
 
@@ -162,7 +163,7 @@ def _classes(branch):
 
 
 def _shown(file):
-    """As which class each is shown in all panels."""
+    """The displayed class of each class, common to all panels."""
     return named(np.bincount(np.concatenate([_classes(branch) for branch in file.branches]), minlength=len(CLASSES)))
 
 
@@ -173,7 +174,7 @@ def _class_handles(file):
 
 
 def _show_classes(ax, file, gap):
-    """A row of classes for each branch, the first one at the bottom, each with the mark of its direction."""
+    """A row of classes per branch, the first at the bottom, each with the mark of its direction."""
     edges, shown = _edges(file.values), _shown(file)
     for place, branch in enumerate(file.at_gap(gap)):
         strip = ax.inset_axes([0, 1 + STRIP * place, 1, STRIP])

@@ -1,7 +1,7 @@
-"""Unstable orbits between the folds, period doublings and grazings of a sweep, so that a loop of hysteresis closes.
+"""Unstable orbits between the folds, period doublings and grazings of a sweep, which close its hysteresis loops.
 
-A file of curves has them at the gaps of its curves.gap_ratio. Those are drawn that begin or end at a border which the
-sweep meets, and those that go on from them.
+A file of curves has them at the gaps of its curves.gap_ratio. Those are drawn that begin or end at a border met by the
+sweep, and those that continue them.
 """
 
 from collections.abc import Sequence
@@ -17,11 +17,11 @@ from .sweep_file import SweepFile
 
 NO_UNSTABLE: Sequence[UnstableBranch] = ()
 LOOK = {"color": "#666666", "linewidth": 0.6, "linestyle": "-"}
-SAME_PLACE = 1e-9  # of the frequency: borders and ends of branches are solved for
+SAME_PLACE = 1e-9  # of the frequency: borders and ends of branches are computed roots
 
 
 def read_unstable(path: Path, sweep: SweepFile, borders: Sequence[Border]) -> list[UnstableBranch]:
-    """The branches that a file of curves has at the sweep's gaps and that hang together with one of its borders."""
+    """The branches of a file of curves that lie at the sweep's gaps and are connected to one of its borders."""
     with CurvesFile(path) as file:
         branches = file.unstable_branches
     found = []
@@ -33,7 +33,7 @@ def read_unstable(path: Path, sweep: SweepFile, borders: Sequence[Border]) -> li
 
 
 def at_gap(branches: Sequence[UnstableBranch], gap: float | None) -> list[UnstableBranch]:
-    """Those of one of the sweep's gaps."""
+    """The branches at one of the sweep's gaps."""
     return [each for each in branches if gap is not None and abs(each.gap_ratio - gap) < SAME_GAP]
 
 
@@ -43,7 +43,8 @@ def handles(branches: Sequence[UnstableBranch]) -> list[Line2D]:
 
 
 def draw_unstable(ax: Axes, branches: Sequence[UnstableBranch], name: str) -> None:
-    """Thin lines in a panel, whose limits don't ask for them. `name` is that of the heights: force, or a displacement with a line for each of an orbit's samples."""
+    """Thin lines in a panel, which do not affect its limits. `name` selects the
+    heights: force, or a displacement with a line for each of an orbit's samples."""
     for branch in branches:
         heights = getattr(branch, name)
         lines = heights[:, None] if heights.ndim == 1 else np.sort(heights, axis=1)
@@ -53,7 +54,7 @@ def draw_unstable(ax: Axes, branches: Sequence[UnstableBranch], name: str) -> No
 
 
 def _connected(branches, places):
-    """Those that reach one of the places, or an end of one that does."""
+    """The branches that reach one of the places, directly or through other branches."""
     found, waiting = [], list(branches)
     while True:
         reached = [each for each in waiting if any(

@@ -1,5 +1,4 @@
-"""The hardest impact closely: force of the stop with its jump at first touch and its peak, and the hammer's
-acceleration."""
+"""Close-up of the hardest impact: the stop's force with its jump at first touch and its peak, and the hammer's acceleration."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,7 +13,7 @@ WIDTH, HEIGHT = 3.7, 4.2  # in
 
 @picture(TraceFile)
 def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
-    """The picture of the hardest impact as a list of Axes; None where nothing impacts."""
+    """The picture of the hardest impact as a list of Axes; None without impacts."""
     if file.impact is None:
         return None
     figure, grid = figures.divided(figures.width_of(WIDTH), HEIGHT, ax, 2)

@@ -1,7 +1,7 @@
 """A trace over time: displacements of hammer and cart, acceleration of the hammer, force of the stop.
 
-The dotted line is where the stop is: the hammer touches it where both lines meet. At gap 0 it is the cart's own.
-Each impact's exact peak belongs to the line of the force, which is sampled elsewhere."""
+The dotted line is the stop: the hammer touches it where the lines meet. At gap 0 it coincides with the cart's line. The
+exact peak of each impact lies on the force line, which is sampled elsewhere."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -58,7 +58,7 @@ def _draw_force(ax, file):
 
 
 def _near_the_hammer(file):
-    """Whether the stop has a line of its own, near enough not to squeeze the motion. At gap 0 it moves on the cart's."""
+    """Whether the stop has its own line, close enough not to compress the motion. At gap 0 it coincides with the cart's."""
     gap, reach = file.number("gap_ratio"), np.max(file.motion["relative_displacement_ratio"])
     return gap is not None and gap != 0 and gap < 2 * max(reach, 1)
 

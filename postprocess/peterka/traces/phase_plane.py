@@ -1,4 +1,4 @@
-"""The hammer's phase plane: velocity over displacement, absolute as a transducer on the hammer sees them.
+"""The hammer's phase plane: absolute velocity over displacement, as measured by a transducer on the hammer.
 
 Dots mark the beginning of each cycle (forcing phase 0), crosses the impacts."""
 
@@ -43,7 +43,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> Axes:
 
 
 def _before(time, at, index, *columns):
-    """Columns at some times, carried on from the two samples before them: what follows a touch is another motion."""
+    """Columns extrapolated to these times from the two preceding samples, since the motion changes at a touch."""
     last = np.clip(index - 1, 1, len(time) - 1)
     share = (at - time[last - 1]) / (time[last] - time[last - 1])
     return [column[last - 1] + share * (column[last] - column[last - 1]) for column in columns]

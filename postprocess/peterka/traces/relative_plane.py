@@ -1,7 +1,7 @@
-"""The hammer as the cart sees it: relative velocity over x - y, with the stop as a line, and its stroboscopic points.
+"""The hammer relative to the cart: relative velocity over x - y, with the stop as a line, and its stroboscopic points.
 
-Dots are the points at forcing phase 0 (Poincaré's map): q of them on an orbit of q cycles, a strange set in chaos, which
-hundreds of cycles show ([trace] cycles)."""
+Dots are the points at forcing phase 0 (stroboscopic Poincaré map): q of them for an orbit of q cycles, a strange set in
+chaos, which takes hundreds of cycles to appear ([trace] cycles)."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,8 +15,8 @@ from . import trace_look
 from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 3.7, 3.3  # in, without the legend
-MANY = 40  # points apart from each other: from there on they are drawn smaller
-ENOUGH = 200  # points to see what chaos lies on
+MANY = 40  # distinct points from which they are drawn smaller
+ENOUGH = 200  # points needed to resolve a chaotic set
 STROBE = {"marker": "o", "color": "black", "linestyle": "none", "markeredgewidth": 0}
 
 
@@ -35,7 +35,7 @@ def draw_motion(file: TraceFile, ax: Axes | None = None) -> Axes:
 
 @picture(TraceFile)
 def draw_points(file: TraceFile, ax: Axes | None = None) -> Axes | None:
-    """The stroboscopic points alone, as Axes; None with the cart at rest, which has no phase."""
+    """The stroboscopic points alone, as Axes; None for a cart at rest, which has no phase."""
     points = strobe(file)
     if not len(points):
         return None
@@ -74,7 +74,7 @@ def _handle(points, size):
 
 
 def _shows_stop(file):
-    """Where it is near enough not to squeeze the motion."""
+    """Draws the stop if close enough not to compress the motion."""
     gap, moved = file.number("gap_ratio"), file.motion["relative_displacement_ratio"]
     return gap is not None and gap <= moved.max() + max(np.ptp(moved), 0.1)
 

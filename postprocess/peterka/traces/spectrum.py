@@ -1,8 +1,8 @@
-"""Amplitude spectra of force and hammer acceleration, and of the hardest impact alone: its force pulse, and the
-acceleration in the flight that follows.
+"""Amplitude spectra of force and hammer acceleration, and of the hardest
+impact alone: its force pulse, and the acceleration in the subsequent flight.
 
-One mode is all the model has: lines of an orbit at multiples of its frequency, the pulse of the impact, and the
-swing of the springs in flight. Resonances of the structure, as measurements show them, are not in it."""
+The model has a single mode: the spectra show lines of an orbit at multiples of its frequency, the impact pulse, and the
+springs' oscillation in flight. It does not contain structural resonances seen in measurements."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,7 +13,7 @@ from . import trace_look
 from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 5.2, 5.4  # in
-LEAST = 1e-5  # of the largest value: what is smaller isn't shown
+LEAST = 1e-5  # of the largest value: smaller values are not shown
 FEW_LINES = 400
 ACCELERATION = r"acceleration $\ddot{x}$ (m/s²)"
 
@@ -28,7 +28,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
         panels += [(pulse["frequency"], pulse["force_spectrum"], trace_look.FORCE, "force (N s)", "hardest impact alone"),
                    (pulse["frequency"], pulse["flight_acceleration_amplitude"], trace_look.HAMMER, ACCELERATION,
                     "flight after it")]
-    panels = [panel for panel in panels if np.any((panel[0] > 0) & (panel[1] > 0))]  # no empty ones
+    panels = [panel for panel in panels if np.any((panel[0] > 0) & (panel[1] > 0))]  # omits empty ones
     if not panels:
         return None
     rows, columns = -(-len(panels) // 2), min(len(panels), 2)

@@ -1,11 +1,11 @@
-"""A trace's file, checked before anything in it is believed.
+"""A checked trace file.
 
     motion    over the time of the trace: MOTION, each (samples,)
-    impacts   IMPACTS, each (impacts,); none where nothing impacts
-    impact    the hardest of them closely: MOTION and time_from_touch over a time of its own, with its peak
+    impacts   IMPACTS, each (impacts,); empty without impacts
+    impact    close-up of the hardest one: MOTION and time_from_touch over its own times, with its peak
     spectrum, impact_spectrum   of the motion, and of the hardest impact with the flight after it
-Displacements are in A0 and forces over the hammer's weight in the file; `millimetres` and `newtons` are the factors to
-mm and N. What cannot be drawn raises PeterkaFileError.
+In the file displacements are in A0 and forces over the hammer's weight; `millimetres` and `newtons` are the factors to mm
+and N. Files that cannot be drawn raise PeterkaFileError.
 """
 
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ MAX_ROWS = 10_000_000
 
 @dataclass(frozen=True)
 class HardestImpact:
-    """One impact closely: its motion, its number among the impacts, and its peak (None on a rigid stop)."""
+    """Close-up of one impact: its motion, its index among the impacts, and its peak (None on a rigid stop)."""
 
     motion: dict[str, np.ndarray]
     number: int
@@ -39,13 +39,13 @@ class HardestImpact:
 
 
 class TraceFile(OpenedFile):
-    """A checked, open trace: motion, impacts, impact, spectrum, impact_spectrum, cell: what
-    a map would say (None where the file has none)."""
+    """A checked, open trace: motion, impacts, impact, spectrum, impact_spectrum, and cell, the contents of a map's cell
+    (None if the file lacks them)."""
 
-    computed = 1  # it is written whole
+    computed = 1  # traces are always written completely
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
+        """Sets the documented members; raises PeterkaFileError for invalid content."""
         self.motion = self._columns("", MOTION)
         if not np.all(np.diff(self.motion["time"]) > 0):
             raise self.refusal("has a time that does not ascend")
@@ -58,13 +58,13 @@ class TraceFile(OpenedFile):
 
     @property
     def millimetres(self) -> float | None:
-        """mm in A0; None where the file doesn't tell."""
+        """A0 in mm; None if the file does not give it."""
         metres = self.positive("cart_amplitude_m")
         return 1000 * metres if metres else None
 
     @property
     def excitation_hz(self) -> float | None:
-        """Of the cart; None for one at rest."""
+        """Excitation frequency [Hz] of the cart; None for a cart at rest."""
         ratio, natural = self.positive("frequency_ratio"), self.positive("natural_frequency_hz")
         return ratio * natural if ratio and natural else None
 
@@ -82,7 +82,7 @@ class TraceFile(OpenedFile):
         return values
 
     def _cell(self) -> dict[str, Any]:
-        """{name: value} of what a map would say of the cell: CELL, and `status` in words."""
+        """{name: value} of a map's cell: CELL, and `status` in words."""
         for name, kind in CELL.items():
             self.data.dataset(f"cell/{name}", (), kind)
         cell = {name: self.data.values(f"cell/{name}", ()).item() for name in CELL}

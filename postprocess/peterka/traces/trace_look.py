@@ -1,4 +1,4 @@
-"""What the pictures of a trace share: lines and their look, and axes in mm, N and seconds."""
+"""Shared by the pictures of a trace: line styles, and axes in mm, N and seconds."""
 
 from typing import Any
 
@@ -19,13 +19,13 @@ ACCELERATION_LINE = {"color": HAMMER, "linewidth": 0.8}
 
 
 def displacement(file: TraceFile, ratio: Any) -> tuple[Any, str]:
-    """(values, label unit) of ratios, one or an array, in mm where the file knows the amplitude."""
+    """(values, label unit) of ratios, scalar or array, in mm if the file gives the amplitude."""
     in_mm = file.millimetres and style.current().units != "ratio"
     return (ratio * file.millimetres, "mm") if in_mm else (ratio, "$A_0$")
 
 
 def force(file: TraceFile, ratio: Any) -> tuple[Any, str]:
-    """(values, label unit) of ratios, one or an array, in N where the file knows the mass; all of a trace with the same prefix."""
+    """(values, label unit) of ratios, scalar or array, in N if the file gives the mass; all pictures of a trace use the same prefix."""
     factor, unit = _force_scale(file)
     return factor * ratio, unit
 
@@ -40,7 +40,7 @@ def _force_scale(file):
 
 
 def second_force_scale(ax: Axes, file: TraceFile) -> None:
-    """F/mg at the right of a scale in N."""
+    """A scale of F/mg to the right of a scale in N."""
     if file.newtons and style.current().units == "both":
         weight = _force_scale(file)[0]
         right = ax.secondary_yaxis("right", functions=(lambda force: force / weight, lambda ratio: ratio * weight))
@@ -48,13 +48,13 @@ def second_force_scale(ax: Axes, file: TraceFile) -> None:
 
 
 def grid(ax: Axes) -> None:
-    """A pale one, behind all lines."""
+    """A pale grid behind all lines."""
     ax.grid(color="#DDDDDD", linewidth=0.5)
     ax.set_axisbelow(True)
 
 
 def place(file: TraceFile) -> str:
-    """Where in the plane the trace is, for a title."""
+    """The operating point of the trace, for a title."""
     hertz, gap = file.excitation_hz, file.number("gap_ratio")
     parts = [f"{hertz:.4g} Hz (Ω/ω = {file.number('frequency_ratio'):.4g})" if hertz else "cart at rest"]
     if gap is not None:
@@ -63,12 +63,12 @@ def place(file: TraceFile) -> str:
 
 
 def write_title(figure: Figure, file: TraceFile, extra: str = "", ax: Axes | None = None) -> None:
-    """With the place of the trace and what decided its cell below the file's title."""
+    """Writes the title, with the trace's operating point and the proof of its regime below the file's title."""
     axes.write_title(figure, file, "\n".join(filter(None, [place(file), claim(file), extra])), ax)
 
 
 def claim(file: TraceFile) -> str:
-    """Regime, z, and what decided it, in one line; empty where the file doesn't tell."""
+    """Regime, z, and the proof behind them, in one line; empty if the file does not give them."""
     cell = file.cell
     if cell is None:
         return ""
