@@ -15,6 +15,7 @@
 #include "job/nearest.hpp"
 #include "job/toml_text.hpp"
 #include "support/escape_untrusted.hpp"
+#include "support/folder.hpp"
 
 namespace peterka::job {
 namespace {
@@ -71,11 +72,9 @@ void complete(Table& document, const Table& rig) {
 
 // Suggests a similar name from the same folder.
 std::string did_you_mean(const fs::path& file, const fs::path& as_named) {
-    std::vector<std::string> names;
-    std::error_code unreadable;
-    for (const auto& entry : fs::directory_iterator(file.parent_path(), unreadable)) {
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
-    }
+    const fs::path folder = file.parent_path();
+    std::vector<std::string> names = names_in(folder.empty() ? "." : folder);
+    std::erase_if(names, [](const std::string& each) { return !each.ends_with(".toml"); });
     std::ranges::sort(names);
     const std::string name = file.filename().string();
     const std::string_view meant = nearest(name, {names.begin(), names.end()});

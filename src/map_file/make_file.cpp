@@ -24,6 +24,7 @@
 #include "map_file/root_attributes.hpp"
 #include "map_file/seal.hpp"
 #include "support/errors.hpp"
+#include "support/folder.hpp"
 #include "support/readable.hpp"
 
 namespace peterka::map_file {
@@ -182,12 +183,9 @@ void remove_previous(const std::filesystem::path& path) {
 
 void remove_files_of_mpi(const std::filesystem::path& path) {
     std::error_code ignored;
-    std::vector<std::filesystem::path> found;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_of(path), ignored)) {
-        if (is_of_mpi(entry.path().filename().string(), path.filename().string()))
-            found.push_back(entry.path());
-    }
-    for (const std::filesystem::path& each : found) {
+    for (const std::string& name : names_in(folder_of(path))) {
+        if (!is_of_mpi(name, path.filename().string())) continue;
+        const std::filesystem::path each = folder_of(path) / name;
         if (is_plain_file(each) && std::filesystem::is_empty(each, ignored))
             std::filesystem::remove(each, ignored);
     }
