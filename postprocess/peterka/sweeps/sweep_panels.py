@@ -68,11 +68,13 @@ def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tupl
         ax.set_axisbelow(True)
         ax.tick_params(labelbottom=number == len(all_axes) - 1)
         _show_classes(ax, file, gap)
-        _second_scales(ax, file, second, number == 0, number == len(all_axes) - 1)
+        is_last = number == len(all_axes) - 1
+        if is_last:
+            ax.set_xlabel(label(file.axis_name))
+        has_scale_above = _second_scales(ax, file, second, number == 0, is_last)
         above = 1 + STRIP * len(file.at_gap(gap))
-        ax.annotate(_gap_text(file, gap), (0, above), xycoords="axes fraction", xytext=(0, 16 if number == 0 else 3),
+        ax.annotate(_gap_text(file, gap), (0, above), xycoords="axes fraction", xytext=(0, 16 if has_scale_above else 3),
                     textcoords="offset points", va="bottom", fontsize=8, weight="bold")
-    all_axes[-1].set_xlabel(label(file.axis_name))
     axes.write_title(figure, file, axes.so_far(file).rstrip("\n"), all_axes[0])
     return dict(zip(file.gaps, all_axes))
 
@@ -151,10 +153,12 @@ def _gap_text(file, gap):
 
 
 def _second_scales(ax, file, second, top, bottom):
-    replaces = file.axis_name in IN_MILLIMETRES
+    """Of a panel, which may be the top or the bottom one; whether it has one above."""
+    scale, replaces = None, file.axis_name in IN_MILLIMETRES
     if bottom if replaces or style.current().units == "si" else top:
-        axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])), replaces)
+        scale = axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])), replaces)
     axes.second_scale(ax, "y", second)
+    return scale is not None
 
 
 def _classes(branch):
