@@ -81,8 +81,6 @@ def test_every_picture_fits_a_column(tmp_path, monkeypatch, palette, units):
             for name, draw in pictures_of(file).items():
                 figure = figure_of(draw(file, width=COLUMN, palette=palette, units=units))
                 assert figure.get_figwidth() * 25.4 == pytest.approx(COLUMN)
-                if file.kind == "sweep":  # two columns wide: a panel's notes want that room
-                    continue
                 faults = faults_of_layout(figure, monkeypatch)
                 assert not faults, f"{path.stem} {name}:\n" + "\n".join(faults)
 
