@@ -35,24 +35,33 @@ def files(tmp_path_factory):
 
 
 def scales(ax):
-    """{label: second scale} of a drawn picture."""
+    """{label: axis} of all scales of a picture, once it is drawn."""
     ax.figure.canvas.draw()
-    return {child.get_xlabel() or child.get_ylabel(): child for child in ax.child_axes}
+    axes = [axis for one in (ax, *ax.child_axes) for axis in (one.xaxis, one.yaxis)]
+    return {axis.get_label_text(): axis for axis in axes if axis.get_label_text()}
 
 
-@pytest.mark.parametrize("units, ratios, places", [("both", True, {FREQUENCY: "top", GAP: "right"}),
-                                                   ("si", False, {FREQUENCY: "bottom", GAP: "left"}), ("ratio", True, {})])
-def test_a_map_over_hz_and_metres_has_ratios_and_beside_them_hz_and_mm(files, units, ratios, places):
+def places(axis, numbers):
+    """Where numbers on a scale stand in the picture [pixels], as its labels have it."""
+    texts = [label.get_text().replace("\N{MINUS SIGN}", "-") for label in axis.get_ticklabels()]
+    first, last = axis.get_ticklocs()[[0, -1]]
+    share = (np.asarray(numbers) - float(texts[0])) / (float(texts[-1]) - float(texts[0]))
+    along = first + share * (last - first)
+    return axis.axes.transData.transform(np.column_stack([along, along]))[:, "xy".index(axis.axis_name)]
+
+
+@pytest.mark.parametrize("units, expected", [
+    ("both", {r"$\Omega/\omega$": "bottom", r"$\mathrm{gap}/A_0$": "left", FREQUENCY: "top", GAP: "right"}),
+    ("si", {FREQUENCY: "bottom", GAP: "left"}), ("ratio", {r"$\Omega/\omega$": "bottom", r"$\mathrm{gap}/A_0$": "left"})])
+def test_a_map_over_hz_and_metres_has_ratios_and_beside_them_hz_and_mm(files, units, expected):
     with open_file(files / "map.h5") as file:
         ax = pictures_of(file)["map"](file, units=units)
-        beside = scales(ax)
-    assert (ax.xaxis.get_visible(), ax.yaxis.get_visible()) == (ratios, ratios)
-    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\Omega/\omega$", r"$\mathrm{gap}/A_0$")
-    assert (ax.xaxis.get_label_position(), ax.yaxis.get_label_position()) == ("bottom", "left")
+        shown = scales(ax)
+    assert {label: axis.get_label_position() for label, axis in shown.items()} == expected
     assert np.allclose(ax.get_xlim(), np.divide([5.5, 12.5], HERTZ)) and np.allclose(ax.get_ylim(), np.divide([-0.125, 2.125], MILLIMETRES))
-    assert {label: (scale.xaxis if label == FREQUENCY else scale.yaxis).get_label_position() for label, scale in beside.items()} == places
-    if places:
-        assert np.allclose(beside[FREQUENCY].get_xlim(), [5.5, 12.5]) and np.allclose(beside[GAP].get_ylim(), [-0.125, 2.125])
+    if units != "ratio":
+        assert np.allclose(places(shown[FREQUENCY], [5.5, 12.5]), ax.bbox.intervalx, atol=0.01)
+        assert np.allclose(places(shown[GAP], [-0.125, 2.125]), ax.bbox.intervaly, atol=0.01)
 
 
 IN_SI, AS_RATIOS = (7.0, 11.0, 0.5, 1.5), (7 / HERTZ, 11 / HERTZ, 0.5 / MILLIMETRES, 1.5 / MILLIMETRES)
@@ -65,7 +74,8 @@ def test_a_zoom_is_in_the_units_of_the_main_axes(files, zoom, in_si):
         assert np.allclose(part.columns.values, np.divide([7, 8, 9, 10, 11], HERTZ))
         assert np.allclose(part.rows.values, np.divide([0.5, 0.75, 1.0, 1.25, 1.5], MILLIMETRES))
         ax = pictures_of(part)["map"](part, units="si")
-        assert np.allclose(scales(ax)[FREQUENCY].get_xlim(), [7, 11]) and np.allclose(scales(ax)[GAP].get_ylim(), [0.5, 1.5])
+        assert np.allclose(places(scales(ax)[FREQUENCY], [7, 11]), ax.bbox.intervalx, atol=0.01)
+        assert np.allclose(places(scales(ax)[GAP], [0.5, 1.5]), ax.bbox.intervaly, atol=0.01)
 
 
 @pytest.mark.parametrize("zoom, in_si", [(IN_SI, False), (AS_RATIOS, True)])
@@ -128,10 +138,9 @@ def test_marks_stand_at_their_hz_and_mm(files, tmp_path, units):
     (tmp_path / "points.csv").write_text(POINTS)
     with open_file(files / "map.h5") as file:
         ax = pictures_of(file, measured=read_measurements(tmp_path / "points.csv", file))["map"](file, units=units)
-        beside = scales(ax)
+        shown = scales(ax)
     for shape, hertz, millimetres in (("D", [8, 9], [0.3, 0.3]), ("o", [10], [1.25])):
         mark, = (line for line in ax.lines if line.get_marker() == shape)
         x, y = ax.transData.transform(np.column_stack([mark.get_xdata(), mark.get_ydata()])).T
-        across = beside[FREQUENCY].transData.transform([(one, 0.5) for one in hertz])[:, 0]
-        up = beside[GAP].transData.transform([(0.5, one) for one in millimetres])[:, 1]
-        assert np.allclose(x, across, atol=0.01) and np.allclose(y, up, atol=0.01)
+        assert np.allclose(x, places(shown[FREQUENCY], hertz), atol=0.01)
+        assert np.allclose(y, places(shown[GAP], millimetres), atol=0.01)

@@ -55,7 +55,7 @@ def test_what_looked_the_same_in_grey_does_not_any_more(tmp_path):
 
 def samples(folder):
     return [write_map(folder / "map.h5", BLOCKS), write_basin(folder / "basin.h5"), write_sweep(folder / "sweep.h5"),
-            write_trace(folder / "trace.h5"), write_map(folder / "fields.h5", fields=FIELDS)]
+            write_trace(folder / "trace.h5"), write_trace(folder / "with_a_stop.h5", gap_ratio=0.25), write_map(folder / "fields.h5", fields=FIELDS)]
 
 
 def test_a_grey_picture_has_no_colour(tmp_path):
@@ -81,8 +81,6 @@ def test_every_picture_fits_a_column(tmp_path, monkeypatch, palette, units):
             for name, draw in pictures_of(file).items():
                 figure = figure_of(draw(file, width=COLUMN, palette=palette, units=units))
                 assert figure.get_figwidth() * 25.4 == pytest.approx(COLUMN)
-                if file.kind == "sweep":  # two columns wide: a panel's notes need the space
-                    continue
                 faults = faults_of_layout(figure, monkeypatch)
                 assert not faults, f"{path.stem} {name}:\n" + "\n".join(faults)
 

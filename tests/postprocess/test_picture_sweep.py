@@ -43,6 +43,33 @@ def test_a_panel_for_each_gap_with_hertz_newtons_and_millimetres(tmp_path):
     assert [label for label in labels if label] == ["excitation frequency (Hz)", "peak force (N)", "peak force (N)"]
 
 
+@pytest.mark.parametrize("draw", [response.draw, bifurcation.draw])
+def test_in_si_alone_every_panel_has_ticks_and_grid_at_round_numbers_of_these_units(tmp_path, draw):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = figure_of(draw(file, units="si"))
+        figure.canvas.draw()
+        factors = {"x": 4.5, "y": WEIGHT if draw is response.draw else 0.89}
+    panels = panels_of(figure)
+    for side in "xy":
+        for ax in panels:
+            axis = getattr(ax, f"{side}axis")
+            low, high = sorted(axis.get_view_interval())
+            lines = [line for line, at in zip(axis.get_gridlines(), axis.get_ticklocs()) if low <= at <= high]
+            assert axis.get_visible() and len(lines) > 1 and all(line.get_visible() for line in lines)
+            numbers = axis.get_ticklocs() * factors[side]
+            assert np.allclose(numbers, np.round(numbers, 2))
+    assert np.array_equal(*(ax.get_xticks() for ax in panels))
+    shown = [label.get_text() for label in panels[1].get_xticklabels()]
+    assert shown == [f"{round(at * 4.5, 6):g}" for at in panels[1].get_xticks()]
+
+
+@pytest.mark.parametrize("units, air", [("both", 16), ("si", 3), ("ratio", 3)])
+def test_a_gap_stands_above_a_scale_only_where_there_is_one(tmp_path, units, air):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        panels = panels_of(figure_of(response.draw(file, units=units)))
+    assert [ax.texts[0].get_position()[1] for ax in panels] == [air, 3]
+
+
 def test_directions_differ_in_line_and_brightness(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
         figure = figure_of(response.draw(file))

@@ -23,6 +23,7 @@ from .fills import Fill, fill, textured
 from .frames import NOT_COMPUTED_HATCH, diagram, legend_patch, stack  # noqa: F401
 from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
+from .ticks_in_units import number_in_units
 from .titles import write_title  # noqa: F401
 
 LETTER_SHARE = 0.033  # width of a 9 pt character over the width of the map
@@ -43,23 +44,25 @@ def label_axes(ax: Axes, file: Plane) -> None:
 
 
 def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None,
-                 place: str | float | None = None, replaces: bool = False) -> Axes | None:
-    """A scale on the side "x" or "y" in other units, given by (label, factor from those of the axis): opposite to the axis,
-    or in its place for pictures in SI units alone; none if `label_and_factor` is None or pictures are in ratios alone.
-    `place`: an alternative position; `replaces`: the scale takes the axis' place in any units. Returns its Axes or None."""
+                 place: float | None = None, replaces: bool = False) -> Axes | None:
+    """A scale of the side "x" or "y" in other units, given by its (label, factor from those of the axis): opposite to the
+    axis, or, where pictures are in SI alone, the axis itself, whose ticks and grid are round numbers of these units then;
+    none where `label_and_factor` is None or pictures are in ratios alone. `place`: where, if not there; `replaces`: the
+    axis, in any units. Returns the Axes of a scale of its own or None."""
     units = "si" if replaces else style.current().units
     if label_and_factor is None or units == "ratio":
         return None
     label, factor = label_and_factor
-    add = ax.secondary_xaxis if side == "x" else ax.secondary_yaxis
     if units == "si":
-        getattr(ax, f"{side}axis").set_visible(False)
-        place = "bottom" if side == "x" else "left"
+        getattr(ax, f"set_{side}label")(label)
+        number_in_units(getattr(ax, f"{side}axis"), factor)
+        return None
+    add = ax.secondary_xaxis if side == "x" else ax.secondary_yaxis
     scale = add(place or ("top" if side == "x" else "right"), functions=scale_functions(factor))
     set_label = scale.set_xlabel if side == "x" else scale.set_ylabel
     if getattr(ax, f"get_{side}scale")() == "log":
         number_log_scale(getattr(scale, f"{side}axis"))
-    set_label(label, fontsize=9 if units == "si" else 8)
+    set_label(label, fontsize=8)
     return scale
 
 

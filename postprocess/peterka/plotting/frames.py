@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -80,8 +81,7 @@ def columns_that_fit(handles: Sequence[Artist], most: int, width: float, key: fl
     """The number of columns, at most `most`, in which the entries of a legend fit into this width [in]."""
     widths = [text_width(handle.get_label(), LETTERS, has_mathematics=True) + key * LETTERS / 72 + KEY_GAP for handle in handles]
     for columns in range(min(most, len(handles)), 1, -1):
-        rows = -(-len(handles) // columns)
-        taken = [max(widths[first:first + rows]) for first in range(0, len(widths), rows)]
+        taken = [max(column) for column in np.array_split(widths, columns)]  # as a legend deals its entries out
         if sum(taken) + SPACE * (len(taken) - 1) <= width - MARGIN:
             return columns
     return 1

@@ -16,14 +16,16 @@ from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, classify, named
 from ..plotting.coordinates import IN_MILLIMETRES, label
 from ..plotting.fills import fill
+from ..plotting.frames import text_width
 from ..measurements import marks
 from ..measurements.points import Measurements
 from .sweep_file import SweepFile
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
-ROW, LETTER = 0.085, 0.0093  # height of a line of notes and width of a character, over those of the panel
-STRIP_LETTERS = 0.011  # width of a 6.5 pt character over that of a panel
+ROW, NOTE_LETTERS = 0.085, 6.5  # height of a line of notes over that of the panel, and size of its letters [pt]
+BESIDE, ABOVE = 16, 27  # pt: of a gap over its panel, beside the name of the scale there or above it
+STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
 
 
 @dataclass(frozen=True)
@@ -69,11 +71,15 @@ def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tupl
         ax.set_axisbelow(True)
         ax.tick_params(labelbottom=number == len(all_axes) - 1)
         _show_classes(ax, file, gap)
-        _second_scales(ax, file, second, number == 0, number == len(all_axes) - 1)
+        is_last = number == len(all_axes) - 1
+        if is_last:
+            ax.set_xlabel(label(file.axis_name))
+        has_scale_above = _second_scales(ax, file, second, number == 0, is_last)
         above = 1 + STRIP * len(file.at_gap(gap))
-        ax.annotate(_gap_text(file, gap), (0, above), xycoords="axes fraction", xytext=(0, 16 if number == 0 else 3),
-                    textcoords="offset points", va="bottom", fontsize=8, weight="bold")
-    all_axes[-1].set_xlabel(label(file.axis_name))
+        text = _gap_text(file, gap)
+        away = 3 if not has_scale_above else BESIDE if _has_room_beside(ax, text) else ABOVE
+        ax.annotate(text, (0, above), xycoords="axes fraction", xytext=(0, away), textcoords="offset points", va="bottom",
+                    fontsize=8, weight="bold")
     axes.write_title(figure, file, axes.so_far(file).rstrip("\n"), all_axes[0])
     return dict(zip(file.gaps, all_axes))
 
@@ -96,22 +102,26 @@ def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity:
 
 
 def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
-    """Writes notes (frequency, height, text, colour) above all data, in as few lines as fit, each with a thin line down to
-    its place; the data extend from `bottom` to `top`."""
+    """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
+    line down to its place; the data reach from `bottom` up to `top`. Once the layout is made."""
     low, high = ax.get_xlim()
+    width = ax.bbox.width / ax.get_figure().dpi
     placed: list[tuple] = []
+    ends: list[float] = []
     for frequency, height, text, colour in sorted(notes):
         across = (frequency - low) / (high - low)
-        first = min(across, 1 - LETTER * len(text))
-        # below every note that it would overlap: the vertical lines then cross none of them
-        line = max((other[0] + 1 for other in placed if other[1] + LETTER * len(other[4]) > first), default=0)
+        taken = 0.01 + text_width(text, NOTE_LETTERS) / width
+        first = max(min(across, 1 - taken), 0)
+        # below every note that it would run into: the lines down cross none of them
+        line = max((other[0] + 1 for other, end in zip(placed, ends) if end > first), default=0)
         placed.append((line, first, frequency, height, text, colour))
+        ends.append(first + taken)
     head = ROW * max((note[0] + 1 for note in placed), default=0) + 0.03
     logarithmic = ax.get_yscale() == "log"
     ax.set_ylim(bottom, bottom * (top / bottom) ** (1 / (1 - head)) if logarithmic else bottom + (top - bottom) / (1 - head))
     for line, first, frequency, height, text, colour in placed:
         foot = 1 - 0.02 - ROW * (line + 1)
-        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=6.5, color=colour,
+        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=NOTE_LETTERS, color=colour,
                     path_effects=axes.outline(2), zorder=8)
         ax.plot([frequency, frequency], [height, _at_share(ax, foot)], color=colour, linewidth=0.5, zorder=1.5)
 
@@ -151,11 +161,19 @@ def _gap_text(file, gap):
     return f"gap/A₀ = {gap:.4g}" + (f" ({1000 * gap * metres:.3g} mm)" if metres else "")
 
 
+def _has_room_beside(ax, text):
+    """Whether a gap and the name of a scale above the middle of its panel stand in one line."""
+    name = max((text_width(scale.get_xlabel(), 8) for scale in ax.child_axes), default=0.0)
+    return 1.15 * text_width(text, 8) + name / 2 < ax.bbox.width / ax.get_figure().dpi / 2  # letters are bold
+
+
 def _second_scales(ax, file, second, top, bottom):
-    replaces = file.axis_name in IN_MILLIMETRES
+    """Of a panel, which may be the top or the bottom one; whether it has one above."""
+    scale, replaces = None, file.axis_name in IN_MILLIMETRES
     if bottom if replaces or style.current().units == "si" else top:
-        axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])), replaces)
+        scale = axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])), replaces)
     axes.second_scale(ax, "y", second)
+    return scale is not None
 
 
 def _classes(branch):
