@@ -4,15 +4,19 @@ import math
 import re
 
 import h5py
+import matplotlib.pyplot as plt
 import matplotlib.text
 import numpy as np
 import pytest
+from matplotlib.patches import Rectangle
+from peterka.cli import operating_point
 from peterka.files import job_numbers
 from peterka.maps.map_file import PeterkaFile
 from peterka.operating import picture, told
 from peterka.operating.admitted import Quantity, admitted, read_code
 from peterka.operating.drift import reach, worst_of_boxes
 from peterka.operating.places import Place, best_places
+from peterka.plotting.notes import write_beside
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
 from sealing import seal_file
 from starts_samples import EMPTY, add_starts
@@ -149,7 +153,7 @@ def test_a_motion_without_impact_counts_between_the_cells(tmp_path, run_program)
             assert told.may_stay_free(file, *reaches)[:, 2].tolist() == [bool(one) for one in free]
     code, out, err = run_program("operating_point", path, "--hz", 0.01, "--mm", 0.05, "--formats", "png")
     assert (code, err) == (0, "")
-    assert "by proof: nowhere in these boxes, nor between their cells, can the hammer swing without impact" in out
+    assert "by proof: nowhere within the drift, nor between the cells there, can the hammer swing without impact" in out
     assert re.search(r"by sampling: all 20 starts .* less than 14 % of the starts isn't excluded \(59 exclude more than 5 %, 299", out)
 
 
@@ -227,6 +231,29 @@ def test_the_command_prints_and_draws(tmp_path, run_program):
     assert (tmp_path / "pictures" / "a_operating_point.png").stat().st_size > 5000
 
 
+@pytest.mark.parametrize("hz, mm, told_of_boxes, log", [
+    (0.5, 0.05, "the map's cells are 0.9 Hz and 0.178 mm apart: boxes are ±0.9 Hz and ±0.178 mm", False),
+    (0.9, 0.2, "the map's cells are 0.9 Hz and 0.178 mm apart: boxes are ±0.9 Hz and ±0.356 mm", False),
+    (0.9, 0.178, None, False), (0, 0.356, None, False), (0, 0, None, False),
+    (0.5, 0, "the map's cells are 0.726 to 1.09 Hz apart: boxes are ±0.804 to 1.09 Hz", True),
+])
+def test_a_box_is_told_and_drawn_as_large_as_it_is_counted(tmp_path, run_program, monkeypatch, hz, mm, told_of_boxes, log):
+    """0.9 Hz and 0.178 mm from cell to cell."""
+    frequencies = np.geomspace(1.5, 2.5, 6) if log else np.linspace(1.5, 2.5, 6)
+    path = write_map(tmp_path / "a.h5", [[ONE] * 6] * 5, frequency_ratio=frequencies, gap_ratio=np.linspace(0.2, 1.0, 5), job=JOB)
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    code, out, err = run_program("operating_point", path, "--hz", hz, "--mm", mm)
+    assert (code, err) == (0, "") and ("boxes are" in out) == (told_of_boxes is not None)
+    assert told_of_boxes is None or f"\n  {told_of_boxes}\n" in out
+    title = " ".join(drawn[0]._suptitle.get_text().split())
+    assert told_of_boxes is None or title.endswith(told_of_boxes.partition(": ")[2])
+    box = next(patch for patch in drawn[0].axes[0].patches if isinstance(patch, Rectangle) and patch.get_zorder() == 5)
+    with PeterkaFile(path) as file:
+        for axis, first, size in ((file.columns, box.get_x(), box.get_width()), (file.rows, box.get_y(), box.get_height())):
+            assert np.isclose(axis.values, first).any() and np.isclose(axis.values, first + size).any()
+
+
 def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
     code, out, err = run_program("operating_point", write_map(tmp_path / "a.h5", [[ONE] * 6] * 5), "--hz", 0.1, "--mm", 0)
     assert (code, err) == (0, "") and "computed from one start alone" in out and "from the job's own start" in out
@@ -264,10 +291,21 @@ def test_the_label_of_the_best_place_covers_no_other_box(tmp_path):
     with PeterkaFile(tmp_path / "a.h5") as file:
         ((left, low), (right, high)), (rows, columns) = label_over(file, [])
         column = int(np.argmin(np.abs(file.columns.values - (left + right) / 2)))
-        row = int(np.argmin(np.abs(file.rows.values + rows.width - (low + high) / 2)))
+        row = int(np.argmin(np.abs(file.rows.values + rows.after * np.diff(file.rows.values)[0] - (low + high) / 2)))
         ((left, low), (right, high)), _ = label_over(file, [(row, column)])
-        x, y = file.columns.values[column], file.rows.values[row]
-        assert right < x - columns.width or left > x + columns.width or high < y - rows.width or low > y + rows.width
+        (west, east), (south, north) = columns.ends(file.columns.values, column), rows.ends(file.rows.values, row)
+        assert right < west or left > east or high < south or low > north
+
+
+def test_a_label_without_room_at_its_place_stands_near_it():
+    figure, ax = plt.subplots()
+    ax.set(xlim=(0, 1), ylim=(0, 1))
+    for across in (0.62, 0.8, 0.98):
+        ax.text(across, 0.75, "taken\n" * 6, ha="center", va="center")
+    write_beside(ax, 0.8, 0.75, "best place")
+    across, up = ax.texts[-1].get_position()
+    plt.close(figure)
+    assert ax.texts[-1].get_text() == "best place" and np.hypot(across - 0.8, up - 0.75) < 0.45
 
 
 @pytest.mark.parametrize("arguments, reason", [

@@ -22,8 +22,8 @@ TOUCH = 1e-9  # of a step: rounding
 
 @dataclass(frozen=True)
 class Reach:
-    """Along an axis: `width` in the axis' own numbers, how many cells the box has `before` and `after` each cell, (n,), and
-    whether it lies `inside` the map, (n,)."""
+    """Along an axis: `width` of the drift in the axis' own numbers, how many cells the box has `before` and `after` each cell,
+    (n,), and whether it lies `inside` the map, (n,)."""
 
     width: float
     before: np.ndarray
@@ -34,6 +34,10 @@ class Reach:
         """Whether the box of each cell has cells in common with that of the cell `at`, (n,)."""
         here = np.arange(len(self.before))
         return (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
+
+    def ends(self, values: Reals, at: int) -> tuple[float, float]:
+        """From where to where the cells of the box of the cell `at` lie, by the axis' `values`."""
+        return float(values[at - self.before[at]]), float(values[at + self.after[at]])
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,15 @@
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ..plotting import units
 from ..maps.map_file import PeterkaFile
 from .admitted import ANY, JOB, Quantity
 from .drift import Reach, unit_of
 from .places import Place
+
+SAME = 1e-6  # relative: a box as wide as the drift but for rounding
 
 
 def starts_in_words(starts: str | float) -> str:
@@ -26,6 +30,21 @@ def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:
         elif unit is None:
             words.append(f"{axis.name} as it is set")
     return "drift " + (", ".join(words) or "none")
+
+
+def boxes_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> tuple[str, str]:
+    """How far the map's cells lie apart, and how far boxes reach to either side; empty where that is as far as the drift."""
+    apart, reaching, wider = [], [], False
+    for axis, along in ((file.columns, columns), (file.rows, rows)):
+        unit = unit_of(file, axis.name)
+        if unit is None or not along.width > 0 or not along.inside.any():
+            continue
+        boxes = [(axis.values[at], *along.ends(axis.values, at)) for at in np.flatnonzero(along.inside)]
+        reach = np.array([max(middle - low, high - middle) for middle, low, high in boxes])
+        wider |= bool(reach.max() > along.width * (1 + SAME))
+        apart.append(_span(np.diff(axis.values) * unit.factor, unit.unit))
+        reaching.append(f"±{_span(reach * unit.factor, unit.unit)}")
+    return (f"the map's cells are {' and '.join(apart)} apart", f"boxes are {' and '.join(reaching)}") if wider else ("", "")
 
 
 def place_in_words(file: PeterkaFile, place: Place) -> str:
@@ -62,6 +81,11 @@ def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapp
     if "impact_speed" in fields:
         there.append(f"impact speed {units.amount(fields['impact_speed'], 'm/s', 4)}")
     return [*lines, "  there, from the job's own start: " + ", ".join(there)]
+
+
+def _span(numbers, unit):
+    low, high = (f"{number:.3g}" for number in (numbers.min(), numbers.max()))
+    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
 
 
 def _head(file, axis):
