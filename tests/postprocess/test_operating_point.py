@@ -254,6 +254,29 @@ def test_a_box_is_told_and_drawn_as_large_as_it_is_counted(tmp_path, run_program
             assert np.isclose(axis.values, first).any() and np.isclose(axis.values, first + size).any()
 
 
+@pytest.mark.parametrize("units, heads, best, below, above", [
+    ("both", "frequency [Hz]  gap [mm]", "frequency 9.9 Hz (frequency_ratio 2.2), gap 0.534 mm (gap_ratio 0.6)", True, True),
+    ("si", "frequency [Hz]  gap [mm]", "frequency 9.9 Hz, gap 0.534 mm", False, True),
+    ("ratio", "frequency_ratio  gap_ratio", "frequency_ratio 2.2, gap_ratio 0.6", True, False)])
+def test_units_are_those_asked_for(tmp_path, run_program, monkeypatch, units, heads, best, below, above):
+    forces = np.ones((5, 6))
+    forces[2, 3] = 10
+    path = write_map(tmp_path / "a.h5", [[ONE] * 6] * 5, frequency_ratio=np.linspace(1.6, 2.6, 6), gap_ratio=np.linspace(0.2, 1.0, 5),
+                     forces=forces, job=JOB)
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    code, out, err = run_program("operating_point", path, "--hz", 0, "--mm", 0, "--units", units)
+    assert (code, err) == (0, "") and f"z  {heads}  worst" in out and f"best: {best}, z = 1/1" in out
+    assert has_scales(drawn[0].axes[0]) == (below, above)
+
+
+def has_scales(ax):
+    """Whether there are ratios, and Hz and mm."""
+    in_si = [scale.get_xlabel() or scale.get_ylabel() for scale in ax.child_axes]
+    assert in_si in ([], ["excitation frequency (Hz)", "gap (mm)"])
+    return ax.xaxis.get_visible() and ax.yaxis.get_visible(), bool(in_si)
+
+
 def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
     code, out, err = run_program("operating_point", write_map(tmp_path / "a.h5", [[ONE] * 6] * 5), "--hz", 0.1, "--mm", 0)
     assert (code, err) == (0, "") and "computed from one start alone" in out and "from the job's own start" in out
@@ -262,7 +285,7 @@ def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
 @pytest.mark.parametrize("label, force, words", [
     (orbit(1, 2), 50.0, r"doesn't hold: 289 of 289 cells of the finer box have another regime"),
     (ONE, 1e4, r"falls short by 9[\d.]+ %: of 289 cells of the finer box, all of the same regime, the worst has [12]\d\d(\.\d)? N, at "
-               r"frequency_ratio [\d.]+, gap_ratio [\d.]+"),
+               r"frequency [\d.]+ Hz \(frequency_ratio [\d.]+\), gap [\d.]+ mm \(gap_ratio [\d.]+\)"),
     (ONE, 1.0, r"holds in all 289 cells of the finer box: the worst has [12]\d\d(\.\d)? N"),
 ])
 def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, label, force, words):

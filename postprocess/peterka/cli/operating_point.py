@@ -2,6 +2,7 @@
 
     operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
                        [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
+                       [--units both | si | ratio]
 
 A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
 that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without impact
@@ -30,9 +31,11 @@ from ..operating import picture, told, verify, words
 from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
 from ..operating.drift import Reach, reach, worst_of_boxes
 from ..operating.places import Place, best_places
+from ..plotting.style import using
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
+from .picture_options import add_units_argument
 
 
 def main() -> int:
@@ -43,7 +46,7 @@ def main() -> int:
 def _operating_point():
     arguments = read_arguments()
     try:
-        with PeterkaFile(arguments.map) as file:
+        with PeterkaFile(arguments.map) as file, using(units=arguments.units):
             return operate(file, arguments)
     except (PeterkaFileError, verify.NotVerified) as refusal:
         complain(refusal)
@@ -79,9 +82,10 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         inside = rows.inside[:, None] & columns.inside[None, :]
         free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
             starts == ANY) else ""
+        less = "a share of the starts (--starts share 0.9)" if starts == ANY else "fewer starts"
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
                            f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}"
-                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift, or {'a share of the starts (--starts share 0.9)' if starts == ANY else 'fewer starts'}")
+                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift, or {less}")
     tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
          f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
     if boxes:
@@ -144,6 +148,7 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--peterka", metavar="PROGRAM", type=Path)
     parser.add_argument("--ranks", metavar="N", type=read_count, default=1, help="of --verify, started by mpirun; default: 1")
     parser.add_picture_arguments()
+    add_units_argument(parser)
     arguments = parser.parse_args()
     arguments.starts = read_starts(arguments.starts, parser)
     return arguments

@@ -28,9 +28,15 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces, in its own numbers")
     parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
     parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
-    parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="units of the scales; default: both")
+    add_units_argument(parser)
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
                         help="part of the axes, exactly from end to end, whichever unit the job has: in ratios, or in Hz and mm with --units si")
+
+
+def add_units_argument(parser: argparse.ArgumentParser) -> None:
+    """--units."""
+    parser.add_argument("--units", choices=UNITS, default=UNITS[0],
+                        help="ratios and Hz, mm and m/s, or one of both alone, in pictures and in what is printed; default: both")
 
 
 def style_of(arguments: argparse.Namespace) -> dict[str, object]:

@@ -5,14 +5,13 @@ box leaves the map have none, as nobody computed what lies there.
 """
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from ..arrays import Mask, Reals
-from ..files import coordinates as scales
-from ..files.coordinates import TWINS
+from ..files.coordinates import SPOKEN, TWINS, Measured, measured
 from ..files.opened import OpenedFile
 from ..maps.map_file import Axis
 from .admitted import NO_REGIME, Admitted
@@ -40,25 +39,15 @@ class Reach:
         return float(values[at - self.before[at]]), float(values[at + self.after[at]])
 
 
-@dataclass(frozen=True)
-class Unit:
-    """Of an axis: what one of its numbers is in `unit`."""
-
-    factor: float
-    unit: str
-    what: str
-
-
-def unit_of(file: OpenedFile, name: str) -> Unit | None:
-    """The Unit in which people set an axis, Hz or mm; None for an axis of something else."""
-    shown = {"frequency_hz": Unit(1.0, "Hz", "frequency"), "gap_m": Unit(1000.0, "mm", "gap")}
+def unit_of(file: OpenedFile, name: str) -> Measured | None:
+    """How people set an axis that drifts, in Hz or mm; None for an axis of something else."""
     si = TWINS.get(name, name)
-    if si not in shown or si == name:
-        return shown.get(si)
-    ratio = scales.unit_of(file, name)
-    if ratio is None:
-        raise file.refusal(f"doesn't say what a {name} of 1 is in {shown[si].unit}")
-    return replace(shown[si], factor=shown[si].factor * ratio)
+    if si not in ("frequency_hz", "gap_m"):
+        return None
+    found = measured(file, name)
+    if found is None:
+        raise file.refusal(f"doesn't say what a {name} of 1 is in {SPOKEN[si][1]}")
+    return found
 
 
 def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:

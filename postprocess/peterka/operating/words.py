@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..plotting import units
+from ..plotting.coordinates import in_words, spoken
 from ..maps.map_file import PeterkaFile
 from .admitted import ANY, JOB, Quantity
 from .drift import Reach, unit_of
@@ -49,7 +50,7 @@ def boxes_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> tuple[str,
 
 def place_in_words(file: PeterkaFile, place: Place) -> str:
     """Where a place is."""
-    return ", ".join(_coordinate(file, axis, at) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
+    return ", ".join(in_words(file, axis.name, axis.values[at]) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
 
 
 def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:
@@ -89,19 +90,10 @@ def _span(numbers, unit):
 
 
 def _head(file, axis):
-    unit = unit_of(file, axis.name)
+    unit = spoken(file, axis.name)
     return f"{unit.what} [{unit.unit}]" if unit else axis.name
 
 
 def _number(file, axis, at):
-    unit = unit_of(file, axis.name)
+    unit = spoken(file, axis.name)
     return axis.values[at] * (unit.factor if unit else 1.0)
-
-
-def _coordinate(file, axis, at):
-    unit = unit_of(file, axis.name)
-    value = f"{_number(file, axis, at):.5g}"
-    if unit is None:
-        return f"{axis.name} = {value}"
-    ratio = f" ({axis.name} {axis.values[at]:.5g})" if axis.name.endswith("_ratio") else ""
-    return f"{unit.what} {value} {unit.unit}{ratio}"
