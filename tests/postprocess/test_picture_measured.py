@@ -51,6 +51,16 @@ def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
     assert "1 points at gap 2.999 mm are left out" in found.left_out[1]
 
 
+def test_points_outside_the_frequencies_of_a_sweep_are_left_out_and_told(tmp_path):
+    """The sample runs from 1 to 2.5, 4.5 to 11.25 Hz, whose ends belong to it whatever rounding makes of them."""
+    text = "frequency_hz,gap_mm,force_n\n4.5,0,9\n11.250000000000002,0,9\n4.499999999999999,0,9\n4.4,0,9\n200,0,9\n44,0,\n"
+    found = points(tmp_path, text)
+    assert len(found.points) == 3
+    assert found.left_out == [f"{tmp_path / 'points.csv'}: 3 points outside the frequencies of the sweep are left out"]
+    with SweepFile(tmp_path / "a.h5") as file:
+        assert [len(each) for each in residuals(file, found.points)] == [1, 1, 1]
+
+
 def test_a_gap_that_is_nearly_one_of_the_sweep_is_told_with_its_distance(tmp_path):
     assert points(tmp_path, "frequency_ratio,gap_ratio\n2,1.5\n").left_out == []
     found = points(tmp_path, "frequency_ratio,gap_ratio\n2,1.51\n2,1.485\n")

@@ -13,10 +13,12 @@ One point a line, named columns in any order, each in SI-like units or as the ra
     label                                    written beside the point; one that several points have is a series
 
 Columns are parted by commas, or by semicolons or tabs, and then numbers may have decimal commas. A cell may be empty.
+Points outside a map or the frequencies of a sweep are left out, and counted.
 A point with a frequency alone is a mark on the frequency axis of a sweep. Lines that begin with # are comments.
 """
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -34,6 +36,7 @@ MAX_BYTES, MAX_LABEL = 2**24, 60
 MOST_LABELS = 200  # of all points
 MOST_SERIES = 24  # so many marks can be told apart
 SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
+SAME_END = 1e-9  # relative: 15 Hz as a ratio has other last bits
 SAME_PLACE = 1e-6  # and these, in A0, are but for rounding
 AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # over which points lie
 
@@ -84,6 +87,8 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
             inside = _lies_inside(table, line, point, file)
             points += [point] * inside
             outside += not inside
+        elif not lies_between(file.values, point.frequency):
+            outside += 1
         else:
             gap = _gap(table, line, point.gap, file)
             if gap is False:
@@ -93,13 +98,19 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
                 if gap is not None and abs(point.gap - gap) > SAME_PLACE:
                     moved.setdefault(gap, []).append(abs(point.gap - gap))
     left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
-    left_out += [f"{path}: {outside} points outside the map are left out"] * (outside > 0)
+    left_out += [f"{path}: {outside} points outside the {'map' if file.kind == 'map' else 'frequencies of the sweep'} are left out"] * (outside > 0)
     left_out += [f"{path}: {len(distances)} points stand at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
                  for gap, distances in moved.items()]
     if other_gaps:
         left_out.append(f"{path}: {len(other_gaps)} points at {', '.join(dict.fromkeys(other_gaps))} are left out;"
                         " the sweep has no such gap")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
+
+
+def lies_between(values: Sequence[float], x: float) -> bool:
+    """Whether ascending numbers reach to x, but for rounding."""
+    slack = SAME_END * max(abs(values[0]), abs(values[-1]))
+    return bool(values[0] - slack <= x <= values[-1] + slack)
 
 
 def _check_axes(file):

@@ -8,16 +8,15 @@ import numpy as np
 from ..measurements import tables
 from ..measurements.map_residuals import known
 from ..measurements.matches import Known, Match, Place, around, distance, matches
-from ..measurements.points import Point
+from ..measurements.points import Point, lies_between
 from .sweep_file import OF_ATTRACTORS, SweepFile
 
 
 def residuals(file: SweepFile, points: Iterable[Point]) -> list[list[Match]]:
     """[Match] of each point with a force, in their order; those outside the sweep have none."""
     slots = {gap: _slots(file, file.at_gap(gap)) for gap in file.gaps}
-    ends = file.values[0], file.values[-1]
     return [matches(point, _places(file, point, slots)) for point in points
-            if point.force is not None and ends[0] <= point.frequency <= ends[1]]
+            if point.force is not None and lies_between(file.values, point.frequency)]
 
 
 def table(file: SweepFile, found: Sequence[Sequence[Match]]) -> list[str]:
