@@ -49,10 +49,11 @@ def _on_branch(branch, at, first, last):
 
 
 def _merged(motions):
-    """Both branches of a gap are often on the same orbit: told once."""
+    """Both branches of a gap are often on the same orbit, whose force is then the same but for rounding: told once."""
     found: list[Known] = []
     for motion in filter(None, motions):
-        same = next((n for n, one in enumerate(found) if (one.force, one.key[1]) == (motion.force, motion.key[1])), None)
+        same = next((n for n, one in enumerate(found) if one.key[1] == motion.key[1] and distance(one.force, motion.force) == 0
+                     and one.words.startswith(f"{motion.words.rpartition(' ')[0]} ")), None)
         if same is None:
             found.append(motion)
         else:
