@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..files.checked_hdf5 import CheckedFile
+from ..files.coordinates import measured
 from ..files.opened import OpenedFile
-from ..plotting.axes import si_scale
 from ..plotting.coordinates import IN_MILLIMETRES
 from ..plotting.style import PALETTES, UNITS
 from ..maps.map_file import PeterkaFile
@@ -97,13 +97,14 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     data = dataset_of(file.data)
     ends = {}
     for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
-        scale = si_scale(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
-        factor = scale[1] if scale else 1.0
+        unit = measured(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
+        factor = unit.factor if unit else 1.0
         ends[axis.name] = low / factor, high / factor
         data = data.isel({axis.stored: _shown(file, axis, *ends[axis.name])})
         left = data.sizes[axis.stored]
         if left < 2:
-            raise file.refusal(f"has {left} points of {axis.name} from {low:g} to {high:g}; --zoom has to leave 2")
+            raise file.refusal(f"has {left} point{'s' * (left != 1)} of {unit.what if unit else axis.name} from {low:g} to {high:g}"
+                               f"{f' {unit.unit}' if unit else ''}; --zoom has to leave 2")
     part = open_file(data)
     if isinstance(part, PeterkaFile):
         part.rows, part.columns = (_cut(axis, ends.get(axis.name)) for axis in (part.rows, part.columns))

@@ -30,6 +30,7 @@ SPOKEN = {
     "velocity_m_per_s": ("velocity", "m/s", 1.0),
     "start_displacement_m": ("start displacement", "mm", 1e3),
     "start_velocity_m_per_s": ("start velocity", "m/s", 1.0),
+    "cart_amplitude_m": ("cart amplitude", "mm", 1e3),
 }
 NAMES = TWINS.keys() | RATIOS.keys()
 

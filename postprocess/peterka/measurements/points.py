@@ -18,10 +18,10 @@ A point with a frequency alone is a mark on the frequency axis of a sweep. Lines
 """
 
 from collections import Counter
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from ..arrays import Reals
 from ..errors import PeterkaFileError
 from ..files.csv_table import read_csv_table
 from ..files.harmless import harmless
@@ -87,7 +87,7 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
             inside = _lies_inside(table, line, point, file)
             points += [point] * inside
             outside += not inside
-        elif not lies_between(file.values, point.frequency):
+        elif not _lies_along(point, file):
             outside += 1
         else:
             gap = _gap(table, line, point.gap, file)
@@ -107,7 +107,7 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     return _with_few_names(path, Measurements(_with_series(points), left_out))
 
 
-def lies_between(values: Sequence[float], x: float) -> bool:
+def lies_between(values: Reals, x: float) -> bool:
     """Whether ascending numbers reach to x, but for rounding."""
     slack = SAME_END * max(abs(values[0]), abs(values[-1]))
     return bool(values[0] - slack <= x <= values[-1] + slack)
@@ -177,6 +177,10 @@ def _lies_inside(table, line, point, file):
     if point.gap is None:
         raise table.refusal("has no gap, and a map has all of them; add gap_mm or gap_ratio", line)
     return all(axis.edges[0] <= getattr(point, AXES[axis.name]) <= axis.edges[-1] for axis in (file.columns, file.rows))
+
+
+def _lies_along(point, file):
+    return lies_between(file.values, point.frequency)
 
 
 def _gap(table, line, gap, file):
