@@ -89,6 +89,7 @@ def test_without_a_compiler_the_map_and_its_values_are_shown(browser, map_file, 
     assert run.returncode == 0
     packages = subprocess.run([pages.ROOT / "src" / "page" / "packages.sh"], stdout=subprocess.PIPE, text=True, check=True).stdout
     assert "clang" in packages and "wasm32" in packages
+    assert run.stderr == "explore.py: building the page's engine, about a minute, once\n"
     assert "no-such-compiler is not here" in run.stdout and f"apt-get install {packages}" in run.stdout
     browser.open(page)
     assert "no-such-compiler is not here" in browser.text("missing")
@@ -120,7 +121,7 @@ def test_the_engine_is_built_once(map_file, tmp_path):
     assert len(built) == 1  # by the pages of these tests; older ones are removed
     (cache / built[0].name).write_bytes(built[0].read_bytes())
     run = pages.explore(map_file, "--output", tmp_path / "page.html", CXX_WASM="no-such-compiler", PETERKA_PAGE_CACHE=str(cache))
-    assert run.returncode == 0 and "no engine" not in run.stdout
+    assert run.returncode == 0 and "no engine" not in run.stdout and run.stderr == ""
 
 
 def test_every_nth_row_and_column(browser, map_file, tmp_path):

@@ -5,6 +5,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
+from peterka.cli import compare
 from peterka.maps import comparison, comparison_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, PLAIN, Drawn, orbit, write_basin, write_map
@@ -86,6 +87,18 @@ def test_scales_in_hertz_and_millimetres_where_both_rigs_have_them(pair, tmp_pat
     assert [child.get_xlabel() or child.get_ylabel() for child in differs.child_axes] == ["gap (mm)"]
 
 
+@pytest.mark.parametrize("units, place, scales", [
+    ("both", "frequency 9 Hz (frequency_ratio 2), gap 0 mm (gap_ratio 0)", (True, 2)), ("si", "frequency 9 Hz, gap 0 mm", (False, 2)),
+    ("ratio", "frequency_ratio 2, gap_ratio 0", (True, 0))])
+def test_units_are_those_asked_for(pair, run_compare, monkeypatch, units, place, scales):
+    drawn = []
+    monkeypatch.setattr(compare, "save_all", lambda figure, *_: drawn.append(figure))
+    code, told, complaint = run_compare(*pair, "--units", units)
+    assert (code, complaint) == (0, "") and f"2 (+100 %), at {place}\n" in told
+    ax = drawn[0].axes[0]
+    assert (ax.xaxis.get_visible(), len(ax.child_axes)) == scales
+
+
 def test_keys_that_differ_are_told_and_drawn(pair, tmp_path, run_compare):
     for name, damping in (("a.h5", 1200.0), ("b.h5", 900.0)):
         with SealedFile(tmp_path / name, "r+") as file:
@@ -123,7 +136,7 @@ def test_the_program_tells_and_draws(pair, tmp_path, run_compare):
     code, told, complaint = run_compare("a.h5", "b.h5")
     assert (code, complaint) == (0, "")
     assert "same regime and z           13    86.667 %" in told and "2/2 -> 1/1" in told
-    assert "largest             2 (+100 %), at frequency_ratio 2, gap_ratio 0" in told
+    assert "largest             2 (+100 %), at frequency 9 Hz (frequency_ratio 2), gap 0 mm (gap_ratio 0)" in told
     assert matplotlib.image.imread(tmp_path / "pictures" / "a_against_b.png").shape[1] == 1110
 
 

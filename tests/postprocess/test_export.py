@@ -8,6 +8,8 @@ import pytest
 from peterka.files.whole_file import written_whole
 from picture_samples import ALL_CLASSES, write_basin, write_map
 from scipy.io import loadmat
+from sealing import SealedFile
+from starts_samples import add_starts
 from sweep_samples import write_sweep
 
 NEWTONS, HERTZ, MILLIMETRES = 0.298 * 9.80665, 4.5, 0.89
@@ -109,6 +111,42 @@ def test_what_the_file_doesnt_tell_stays_a_ratio(tmp_path, run_program):
     assert run_program("export", path)[0] == 0
     heads = (tmp_path / "a.csv").read_text().splitlines()[0].split(",")
     assert heads[:4] == ["frequency_ratio", "gap_mm", "gap_ratio", "regime"] and "peak_force_ratio" in heads
+
+
+@pytest.mark.parametrize("attributes, names, factors", [
+    ({}, ["orbit_displacement_mm", "orbit_velocity_m_s"], [MILLIMETRES, 2 * np.pi * HERTZ * MILLIMETRES / 1000]),
+    ({"natural_frequency_hz": "unknown"}, ["orbit_displacement_mm", "orbit_velocity_ratio"], [MILLIMETRES, 1]),
+    ({"cart_amplitude_m": "unknown"}, ["orbit_displacement_ratio", "orbit_velocity_ratio"], [1, 1])])
+def test_states_of_orbits_have_their_units_in_their_names(tmp_path, run_program, attributes, names, factors):
+    fields = {"orbit_displacement": np.full((4, 6), -2.0), "orbit_velocity": np.full((4, 6), 3.0)}
+    assert run_program("export", write_map(tmp_path / "a.h5", ALL_CLASSES, fields=fields, **attributes))[0] == 0
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text:
+        first = next(csv.DictReader(text))
+    assert [float(first[name]) for name in names] == pytest.approx([-2 * factors[0], 3 * factors[1]])
+    assert not {"orbit_displacement", "orbit_velocity"} & set(first)
+
+
+def test_coordinates_that_the_file_has_in_si_units_are_these(tmp_path, run_program):
+    """22 * (15/22) is 14.999999999999998."""
+    path = write_map(tmp_path / "a.h5", ALL_CLASSES, natural_frequency_hz=22.0)
+    with SealedFile(path, "r+") as file:
+        file.attrs["job"] = "[axes]\nfrequency_hz = { from = 15 }\ngap_m = { from = 1e-4 }\n"
+        file["frequency_hz"], file["gap_m"] = np.arange(15.0, 21), np.arange(1.0, 5) / 1e4
+    assert run_program("export", path) == (0, "a.csv\n", "")
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text:
+        lines = list(csv.DictReader(text))
+    assert [float(line["frequency_hz"]) for line in lines[:6]] == list(range(15, 21))
+    assert [float(line["gap_mm"]) for line in lines[::6]] == [1e3 * each for each in np.arange(1.0, 5) / 1e4]
+    assert float(lines[0]["frequency_ratio"]) == 15 / 22
+
+
+def test_what_is_no_number_of_each_cell_is_told(tmp_path, run_program, draw):
+    cells = np.broadcast_to((1, 1, 1), (3, 4, 3))
+    path = add_starts(write_map(tmp_path / "a.h5", cells), [cells], np.ones((1, 3, 4)), np.ones((1, 3, 4)), np.zeros((3, 4)))
+    code, out, err = run_program("export", path)
+    assert (code, err) == (0, "") and out.startswith("a.csv\n") and out.count("\n") == 2
+    assert "not one number of each cell, and so left out: attractor" in out and "basin_share" in out and "start_attractor" not in out
+    assert "and so left out: attractor" in draw(path, "--export", "csv", "--only", "map", "--formats", "png").stdout
 
 
 def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):

@@ -124,7 +124,9 @@ def test_a_zoom_shows_and_counts_what_is_inside(tmp_path, draw):
 
 @pytest.mark.parametrize("arguments, words", [
     (["--only", "mop"], "gives no picture mop; it gives map, force_1_1, force_all"),
-    (["--zoom", "1,1.1"], "points of frequency_ratio from 1 to 1.1; --zoom has to leave 2"),
+    (["--zoom", "1,1.1"], "has 1 point of frequency_ratio from 1 to 1.1; --zoom has to leave 2"),
+    (["--zoom", "0,3", "--units", "si"], "has 1 point of frequency from 0 to 3 Hz; --zoom has to leave 2"),
+    (["--zoom", "0,20,0,0.1", "--units", "si"], "has 1 point of gap from 0 to 0.1 mm; --zoom has to leave 2"),
     (["--zoom", "3,1"], "wants the smaller number first"),
     (["--zoom", "1,2,3"], "is not 2 or 4 numbers"),
     (["--limits", "1"], "is not 2 numbers"),

@@ -4,15 +4,19 @@ import math
 import re
 
 import h5py
+import matplotlib.pyplot as plt
 import matplotlib.text
 import numpy as np
 import pytest
+from matplotlib.patches import Rectangle
+from peterka.cli import operating_point
 from peterka.files import job_numbers
 from peterka.maps.map_file import PeterkaFile
 from peterka.operating import picture, told
 from peterka.operating.admitted import Quantity, admitted, read_code
 from peterka.operating.drift import reach, worst_of_boxes
 from peterka.operating.places import Place, best_places
+from peterka.plotting.notes import write_beside
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
 from sealing import seal_file
 from starts_samples import EMPTY, add_starts
@@ -149,7 +153,7 @@ def test_a_motion_without_impact_counts_between_the_cells(tmp_path, run_program)
             assert told.may_stay_free(file, *reaches)[:, 2].tolist() == [bool(one) for one in free]
     code, out, err = run_program("operating_point", path, "--hz", 0.01, "--mm", 0.05, "--formats", "png")
     assert (code, err) == (0, "")
-    assert "by proof: nowhere in these boxes, nor between their cells, can the hammer swing without impact" in out
+    assert "by proof: nowhere within the drift, nor between the cells there, can the hammer swing without impact" in out
     assert re.search(r"by sampling: all 20 starts .* less than 14 % of the starts isn't excluded \(59 exclude more than 5 %, 299", out)
 
 
@@ -227,6 +231,52 @@ def test_the_command_prints_and_draws(tmp_path, run_program):
     assert (tmp_path / "pictures" / "a_operating_point.png").stat().st_size > 5000
 
 
+@pytest.mark.parametrize("hz, mm, told_of_boxes, log", [
+    (0.5, 0.05, "the map's cells are 0.9 Hz and 0.178 mm apart: boxes are ±0.9 Hz and ±0.178 mm", False),
+    (0.9, 0.2, "the map's cells are 0.9 Hz and 0.178 mm apart: boxes are ±0.9 Hz and ±0.356 mm", False),
+    (0.9, 0.178, None, False), (0, 0.356, None, False), (0, 0, None, False),
+    (0.5, 0, "the map's cells are 0.726 to 1.09 Hz apart: boxes are ±0.804 to 1.09 Hz", True),
+])
+def test_a_box_is_told_and_drawn_as_large_as_it_is_counted(tmp_path, run_program, monkeypatch, hz, mm, told_of_boxes, log):
+    """0.9 Hz and 0.178 mm from cell to cell."""
+    frequencies = np.geomspace(1.5, 2.5, 6) if log else np.linspace(1.5, 2.5, 6)
+    path = write_map(tmp_path / "a.h5", [[ONE] * 6] * 5, frequency_ratio=frequencies, gap_ratio=np.linspace(0.2, 1.0, 5), job=JOB)
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    code, out, err = run_program("operating_point", path, "--hz", hz, "--mm", mm)
+    assert (code, err) == (0, "") and ("boxes are" in out) == (told_of_boxes is not None)
+    assert told_of_boxes is None or f"\n  {told_of_boxes}\n" in out
+    title = " ".join(drawn[0]._suptitle.get_text().split())
+    assert told_of_boxes is None or title.endswith(told_of_boxes.partition(": ")[2])
+    box = next(patch for patch in drawn[0].axes[0].patches if isinstance(patch, Rectangle) and patch.get_zorder() == 5)
+    with PeterkaFile(path) as file:
+        for axis, first, size in ((file.columns, box.get_x(), box.get_width()), (file.rows, box.get_y(), box.get_height())):
+            assert np.isclose(axis.values, first).any() and np.isclose(axis.values, first + size).any()
+
+
+@pytest.mark.parametrize("units, heads, best, below, above", [
+    ("both", "frequency [Hz]  gap [mm]", "frequency 9.9 Hz (frequency_ratio 2.2), gap 0.534 mm (gap_ratio 0.6)", True, True),
+    ("si", "frequency [Hz]  gap [mm]", "frequency 9.9 Hz, gap 0.534 mm", False, True),
+    ("ratio", "frequency_ratio  gap_ratio", "frequency_ratio 2.2, gap_ratio 0.6", True, False)])
+def test_units_are_those_asked_for(tmp_path, run_program, monkeypatch, units, heads, best, below, above):
+    forces = np.ones((5, 6))
+    forces[2, 3] = 10
+    path = write_map(tmp_path / "a.h5", [[ONE] * 6] * 5, frequency_ratio=np.linspace(1.6, 2.6, 6), gap_ratio=np.linspace(0.2, 1.0, 5),
+                     forces=forces, job=JOB)
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    code, out, err = run_program("operating_point", path, "--hz", 0, "--mm", 0, "--units", units)
+    assert (code, err) == (0, "") and f"z  {heads}  worst" in out and f"best: {best}, z = 1/1" in out
+    assert has_scales(drawn[0].axes[0]) == (below, above)
+
+
+def has_scales(ax):
+    """Whether there are ratios, and Hz and mm."""
+    in_si = [scale.get_xlabel() or scale.get_ylabel() for scale in ax.child_axes]
+    assert in_si in ([], ["excitation frequency (Hz)", "gap (mm)"])
+    return ax.xaxis.get_visible() and ax.yaxis.get_visible(), bool(in_si)
+
+
 def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
     code, out, err = run_program("operating_point", write_map(tmp_path / "a.h5", [[ONE] * 6] * 5), "--hz", 0.1, "--mm", 0)
     assert (code, err) == (0, "") and "computed from one start alone" in out and "from the job's own start" in out
@@ -235,7 +285,7 @@ def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
 @pytest.mark.parametrize("label, force, words", [
     (orbit(1, 2), 50.0, r"doesn't hold: 289 of 289 cells of the finer box have another regime"),
     (ONE, 1e4, r"falls short by 9[\d.]+ %: of 289 cells of the finer box, all of the same regime, the worst has [12]\d\d(\.\d)? N, at "
-               r"frequency_ratio [\d.]+, gap_ratio [\d.]+"),
+               r"frequency [\d.]+ Hz \(frequency_ratio [\d.]+\), gap [\d.]+ mm \(gap_ratio [\d.]+\)"),
     (ONE, 1.0, r"holds in all 289 cells of the finer box: the worst has [12]\d\d(\.\d)? N"),
 ])
 def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, label, force, words):
@@ -264,10 +314,21 @@ def test_the_label_of_the_best_place_covers_no_other_box(tmp_path):
     with PeterkaFile(tmp_path / "a.h5") as file:
         ((left, low), (right, high)), (rows, columns) = label_over(file, [])
         column = int(np.argmin(np.abs(file.columns.values - (left + right) / 2)))
-        row = int(np.argmin(np.abs(file.rows.values + rows.width - (low + high) / 2)))
+        row = int(np.argmin(np.abs(file.rows.values + rows.after * np.diff(file.rows.values)[0] - (low + high) / 2)))
         ((left, low), (right, high)), _ = label_over(file, [(row, column)])
-        x, y = file.columns.values[column], file.rows.values[row]
-        assert right < x - columns.width or left > x + columns.width or high < y - rows.width or low > y + rows.width
+        (west, east), (south, north) = columns.ends(file.columns.values, column), rows.ends(file.rows.values, row)
+        assert right < west or left > east or high < south or low > north
+
+
+def test_a_label_without_room_at_its_place_stands_near_it():
+    figure, ax = plt.subplots()
+    ax.set(xlim=(0, 1), ylim=(0, 1))
+    for across in (0.62, 0.8, 0.98):
+        ax.text(across, 0.75, "taken\n" * 6, ha="center", va="center")
+    write_beside(ax, 0.8, 0.75, "best place")
+    across, up = ax.texts[-1].get_position()
+    plt.close(figure)
+    assert ax.texts[-1].get_text() == "best place" and np.hypot(across - 0.8, up - 0.75) < 0.45
 
 
 @pytest.mark.parametrize("arguments, reason", [

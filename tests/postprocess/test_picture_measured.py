@@ -2,6 +2,7 @@
 
 import re
 
+import h5py
 import matplotlib.collections
 import matplotlib.text
 import numpy as np
@@ -15,6 +16,7 @@ from peterka.sweeps.residuals import residuals
 from peterka.sweeps.sweep_file import SweepFile
 from picture_texts import faults_of_layout
 from picture_samples import write_basin, write_map
+from sealing import seal_file
 from starts_samples import add_starts
 from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
@@ -49,6 +51,16 @@ def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
     assert len(found.points) == 1
     assert "1 points of rigs with another natural frequency" in found.left_out[0]
     assert "1 points at gap 2.999 mm are left out" in found.left_out[1]
+
+
+def test_points_outside_the_frequencies_of_a_sweep_are_left_out_and_told(tmp_path):
+    """The sample runs from 1 to 2.5, 4.5 to 11.25 Hz, whose ends belong to it whatever rounding makes of them."""
+    text = "frequency_hz,gap_mm,force_n\n4.5,0,9\n11.250000000000002,0,9\n4.499999999999999,0,9\n4.4,0,9\n200,0,9\n44,0,\n"
+    found = points(tmp_path, text)
+    assert len(found.points) == 3
+    assert found.left_out == [f"{tmp_path / 'points.csv'}: 3 points outside the frequencies of the sweep are left out"]
+    with SweepFile(tmp_path / "a.h5") as file:
+        assert [len(each) for each in residuals(file, found.points)] == [1, 1, 1]
 
 
 def test_a_gap_that_is_nearly_one_of_the_sweep_is_told_with_its_distance(tmp_path):
@@ -143,17 +155,18 @@ def test_no_note_is_written_over_a_mark(tmp_path, monkeypatch):
 
 
 def test_a_map_is_told_beside_each_force(tmp_path, draw):
-    points_of_map(tmp_path, SERIES + "99;0;9;;;rising;\n")
+    points_of_map(tmp_path, SERIES + "99;0;9;;;rising;\n9;1,78;1300;;;rising;\n")
     outcome = draw(tmp_path / "m.h5", "--measured", tmp_path / "points.csv", "--formats", "png", "--only", "map")
     assert outcome.code == 0, outcome.stderr
     assert "1 points outside the map are left out" in outcome.stdout
     rows = [re.split(r"  +", line.strip()) for line in outcome.stdout.splitlines()]
     # the sample's forces are 10 + row + column/10; 9 Hz, 0.89 mm is row 1, column 1: 11.1 weights
     force = 11.1 * WEIGHT
-    assert ["frequency [Hz]", "gap [mm]", "measured [N]", "motion", "starts", "computed [N]", "residual [N]", "computed at", "label"] in rows
+    assert ["frequency [Hz]", "gap [mm]", "measured [N]", "motion", "computed [N]", "residual [N]", "computed at", "label"] in rows
     assert ["9", "0.89", "100.5", "1/1", f"{force:.4g}", f"{100.5 - force:+.3g}", f"{100 * (100.5 / force - 1):+.1f} %",
             f"{(100.5 - force) / 2.5:+.1f} s.e.", "the point", "rising"] in rows
     assert ["9", "1.78", "70", "no impact", "0", "+70", "+14.0 s.e.", "the point", "falling, odd one"] in rows
+    assert ["9", "1.78", "1300", "no impact", "0", "+1300", "the point", "rising"] in rows
 
 
 def places_of(file, text, tmp_path):
@@ -264,6 +277,26 @@ def test_each_branch_is_told_and_the_nearest_first(tmp_path):
         (45, ["1/1 up and down"]), (50, ["1/1 up", "no impact down"]), (4, ["no impact down", "1/1 up"]), (30, ["no impact up and down"])]
     assert told[0][0].force == pytest.approx(42.0) and told[0][0].residual == pytest.approx(3.0)
     assert [one.force for one in told[1]] == pytest.approx([55.0, 0.0])
+
+
+def test_branches_that_differ_by_rounding_are_one_motion(tmp_path):
+    found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.25,0,45\n1.3,0,45\n")
+    with h5py.File(tmp_path / "a.h5", "r+") as file:
+        file["peak_force_ratio"][1] *= 1 + 1e-14
+    seal_file(tmp_path / "a.h5")
+    with SweepFile(tmp_path / "a.h5") as file:
+        assert [[one.motion.words for one in each] for each in residuals(file, found.points)] == [["1/1 up and down"]] * 2
+
+
+def test_columns_without_a_word_are_left_out(tmp_path, draw):
+    write_sweep_with_starts(tmp_path / "starts.h5")
+    for name, text, heads in (("a.h5", "frequency_ratio,gap_ratio,force_ratio\n1.0625,1.5,68\n", ["computed at"]),
+                              ("starts.h5", "frequency_ratio,gap_ratio,force_ratio,label\n1.0625,1.5,68,x\n", ["starts", "computed at", "label"])):
+        points(tmp_path, text)
+        outcome = draw(tmp_path / name, "--measured", tmp_path / "points.csv", "--formats", "png", "--only", "response")
+        head = next(line for line in outcome.stdout.splitlines() if line.startswith("frequency [Hz]"))
+        assert [word for word in ("starts", "computed at", "label") if word in re.split("  +", head)] == heads
+        assert outcome.code == 0 and len({line.rstrip() == line for line in outcome.stdout.splitlines()}) == 1
 
 
 def test_across_a_jump_each_side_is_told_with_its_distance(tmp_path):

@@ -1,5 +1,6 @@
 """Borders from curves over the pictures of a sweep: those met by its motions, in their place, listed in Hz."""
 
+import h5py
 import numpy as np
 import pytest
 from curves_samples import write_curves
@@ -8,6 +9,7 @@ from peterka.plotting.figures import figure_of
 from peterka.maps.curves_map import COLOURS
 from peterka.sweeps import bifurcation, borders, response, unstable
 from peterka.sweeps.sweep_file import SweepFile
+from sealing import seal_file
 from sweep_samples import write_sweep
 
 JOB = """
@@ -42,11 +44,11 @@ def test_each_border_is_a_line_in_the_panel_of_its_gap(files, draw):
     assert {"fold", "period doubling", "grazing"} <= set(words)
 
 
-def test_borders_are_listed_in_hertz_to_nine_digits(files):
+def test_borders_are_listed_in_hertz_to_nine_digits_and_millimetres(files):
     with SweepFile(files[0]) as sweep:
         lines = borders.table(sweep, borders.read_borders(files[1], sweep))
     assert [line.split(maxsplit=3) for line in lines[1:]] == [
-        ["6.165", "1.5", "1/1", "period doubling"], ["6.885", "1.5", "0/1", "grazing"], ["7.92555556", "1.5", "1/1", "fold"]]
+        ["6.165", "1.335", "1/1", "period doubling"], ["6.885", "1.335", "0/1", "grazing"], ["7.92555556", "1.335", "1/1", "fold"]]
 
 
 def test_draw_tells_and_draws_them(files, tmp_path, run_program):
@@ -64,10 +66,20 @@ def test_curves_that_tell_nothing_of_the_sweep_are_refused(files, tmp_path, line
         borders.read_borders(other, sweep)
 
 
+def test_gaps_to_compute_are_named_as_the_sweep_names_them(tmp_path):
+    with h5py.File(write_sweep(tmp_path / "sweep.h5", job=JOB), "r+") as file:
+        file["gap_m"] = file["gap_ratio"][()] * 0.89e-3
+        del file["gap_ratio"]
+    seal_file(tmp_path / "sweep.h5")
+    other = write_curves(tmp_path / "other.h5", LINES, [], [], job=JOB)
+    with SweepFile(tmp_path / "sweep.h5") as sweep, pytest.raises(PeterkaFileError, match=r"gap_m = \[0, 0.001335\]"):
+        borders.read_borders(other, sweep)
+
+
 def test_a_map_has_no_borders(files):
     class Map:
         kind, axis_name, path = "map", "frequency_ratio", "a.h5"
-    with pytest.raises(PeterkaFileError, match="no sweep"):
+    with pytest.raises(PeterkaFileError, match="is no sweep but a map; borders are drawn over a sweep of frequencies"):
         borders.read_borders(files[1], Map)
 
 

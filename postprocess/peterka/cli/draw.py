@@ -31,7 +31,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from ..export.formats import export, read_formats
+from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from ..plotting import axes
@@ -112,6 +112,8 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
         file = zoomed(whole, arguments.zoom, arguments.units == "si")
         for written in export(whole, arguments.output_dir, arguments.export) if arguments.export else []:
             tell(written)
+        for line in left_out_in_words(whole) if arguments.export else []:
+            tell(line)
         measured = Measurements([], [])
         if arguments.measured:
             measured = read_measurements(arguments.measured, file)

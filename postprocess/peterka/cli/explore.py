@@ -21,6 +21,7 @@ from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from ..files.whole_file import write_text
 from ..maps.map_file import PeterkaFile
+from ..page.engine import is_to_be_built
 from ..page.layers import MOST_CELLS
 from ..page.page import page
 from ..pictures import open_file
@@ -42,7 +43,10 @@ def _explore():
     output = arguments.output or Path(arguments.file.with_suffix(".html").name)
     try:
         with open_file(arguments.file) as file:
-            text, notes = page(explorable(file, arguments.every), arguments.every, arguments.layers)
+            shown = explorable(file, arguments.every)
+            if is_to_be_built():
+                complain("building the page's engine, about a minute, once")
+            text, notes = page(shown, arguments.every, arguments.layers)
     except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT

@@ -3,15 +3,16 @@
     export.py FILE.h5 [FILE.h5 ...] [--as csv,vtk,mat] [--output-dir DIR]
 
 csv: STEM.csv, a line for each cell, an empty cell where there is no number. vtk: STEM.vtk, a rectilinear grid for ParaView.
-mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names; what the file doesn't tell stays a ratio, and other
-fields have the units of the file. Regimes are words in CSV, else numbers as in the file (-128: not computed yet).
+mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names (_n: N, _n_s: N s, _w: W, _ratio: over the hammer's
+weight, A0, A0*omega or omega); others have the file's unit, or are pure numbers. What isn't one number of each
+cell is left out, and told. Regimes are words in CSV, else numbers as in the file (-128: not computed yet).
 Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 an export cannot be written.
 """
 
 import argparse
 from pathlib import Path
 
-from ..export.formats import export, read_formats
+from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
 from ..pictures import open_file
 from .command_line import (
@@ -32,6 +33,8 @@ def _export():
             with open_file(path) as file:
                 for written in export(file, arguments.output_dir, arguments.formats):
                     tell(written)
+                for line in left_out_in_words(file):
+                    tell(line)
         except PeterkaFileError as refusal:
             complain(refusal)
             outcome = BAD_INPUT

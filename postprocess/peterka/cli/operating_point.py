@@ -2,13 +2,15 @@
 
     operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
                        [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
+                       [--units both | si | ratio]
 
 A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
 that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without impact
-anywhere in the box; the default), at least a share of them above one half, or the job's own alone. It is told what of that is
+anywhere within the drift; the default), at least a share of them above one half, or the job's own alone. A drift that ends
+between two cells takes the farther one, too; how far boxes reach is told then. It is told what of that is
 proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
 17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten
-best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the box around the
+best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the drift around the
 best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the folder of the
 pictures, and says whether its worst value is as good there, or by how much it falls short.
 Exit codes: 0 done, whatever came out; 2 a file cannot be read or has no such place, or bad arguments; 3 a picture or the box
@@ -29,9 +31,11 @@ from ..operating import picture, told, verify, words
 from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
 from ..operating.drift import Reach, reach, worst_of_boxes
 from ..operating.places import Place, best_places
+from ..plotting.style import using
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
+from .picture_options import add_units_argument
 
 
 def main() -> int:
@@ -42,7 +46,7 @@ def main() -> int:
 def _operating_point():
     arguments = read_arguments()
     try:
-        with PeterkaFile(arguments.map) as file:
+        with PeterkaFile(arguments.map) as file, using(units=arguments.units):
             return operate(file, arguments)
     except (PeterkaFileError, verify.NotVerified) as refusal:
         complain(refusal)
@@ -73,15 +77,19 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         worst = np.where(stays_free, np.nan, worst)
     places = best_places(worst, found, rows, columns)
     what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
+    apart, boxes = words.boxes_in_words(file, rows, columns)
     if not places:
         inside = rows.inside[:, None] & columns.inside[None, :]
         free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
             starts == ANY) else ""
+        less = "a share of the starts (--starts share 0.9)" if starts == ANY else "fewer starts"
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
-                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}{free}; allow less drift, or "
-                           f"{'a share of the starts (--starts share 0.9)' if starts == ANY else 'fewer starts'}")
+                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}"
+                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift, or {less}")
     tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
          f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
+    if boxes:
+        tell(f"  {apart}: {boxes}")
     for line in what_is_told(file, starts, places[0], (rows, columns), bool(stays_free[places[0].row, places[0].column])):
         tell(f"  {line}")
     for line in words.table(file, places, quantity, with_share=starts not in (ANY, JOB)):
@@ -90,8 +98,9 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         tell(line)
     if file.is_refined:
         tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
-    save_all(picture.draw(file, worst, places, rows, columns, (quantity, *what)), arguments.output_dir,
-             f"{file.path.stem}_operating_point", arguments.formats)
+    said = quantity, what[0], "\n".join(filter(None, [what[1], boxes]))
+    save_all(picture.draw(file, worst, places, rows, columns, said), arguments.output_dir, f"{file.path.stem}_operating_point",
+             arguments.formats)
     if arguments.verify:
         checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
         tell(verify.text_of(file, places[0], checked, quantity))
@@ -139,6 +148,7 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--peterka", metavar="PROGRAM", type=Path)
     parser.add_argument("--ranks", metavar="N", type=read_count, default=1, help="of --verify, started by mpirun; default: 1")
     parser.add_picture_arguments()
+    add_units_argument(parser)
     arguments = parser.parse_args()
     arguments.starts = read_starts(arguments.starts, parser)
     return arguments

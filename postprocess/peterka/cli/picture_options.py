@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..files.checked_hdf5 import CheckedFile
+from ..files.coordinates import measured
 from ..files.opened import OpenedFile
-from ..plotting.axes import si_scale
 from ..plotting.coordinates import IN_MILLIMETRES
 from ..plotting.style import PALETTES, UNITS
 from ..maps.map_file import PeterkaFile
@@ -28,9 +28,15 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces, in its own numbers")
     parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
     parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
-    parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="units of the scales; default: both")
+    add_units_argument(parser)
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
                         help="part of the axes, exactly from end to end, whichever unit the job has: in ratios, or in Hz and mm with --units si")
+
+
+def add_units_argument(parser: argparse.ArgumentParser) -> None:
+    """--units."""
+    parser.add_argument("--units", choices=UNITS, default=UNITS[0],
+                        help="ratios and Hz, mm and m/s, or one of both alone, in pictures and in what is printed; default: both")
 
 
 def style_of(arguments: argparse.Namespace) -> dict[str, object]:
@@ -91,13 +97,14 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     data = dataset_of(file.data)
     ends = {}
     for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
-        scale = si_scale(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
-        factor = scale[1] if scale else 1.0
+        unit = measured(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
+        factor = unit.factor if unit else 1.0
         ends[axis.name] = low / factor, high / factor
         data = data.isel({axis.stored: _shown(file, axis, *ends[axis.name])})
         left = data.sizes[axis.stored]
         if left < 2:
-            raise file.refusal(f"has {left} points of {axis.name} from {low:g} to {high:g}; --zoom has to leave 2")
+            raise file.refusal(f"has {left} point{'s' * (left != 1)} of {unit.what if unit else axis.name} from {low:g} to {high:g}"
+                               f"{f' {unit.unit}' if unit else ''}; --zoom has to leave 2")
     part = open_file(data)
     if isinstance(part, PeterkaFile):
         part.rows, part.columns = (_cut(axis, ends.get(axis.name)) for axis in (part.rows, part.columns))

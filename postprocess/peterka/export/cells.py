@@ -6,17 +6,21 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from h5py.h5ds import is_scale
 from numpy.typing import NDArray
 
-from ..files.checked_hdf5 import INTEGER, REAL
-from ..files.coordinates import unit_of
+from ..files.checked_hdf5 import INTEGER, REAL, CheckedFile
+from ..files.coordinates import NAMES, unit_of
 from ..errors import PeterkaFileError
 from ..maps.map_file import PeterkaFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
-PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # like all names of the layout: safe in tables and other programs
-SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm"}
+PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # as all of the layout's: nothing that a table or a program would take for more
+SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm", "critical_kick": "m_s",
+            "critical_kick_tried": "m_s", "critical_kick_lower": "m_s"}
+ORBITS = {"orbit_displacement": ("displacement_ratio", "mm", 1e3), "orbit_velocity": ("velocity_ratio", "m_s", 1.0)}
+OF_THE_RUN = ("run", "summary", "tiles")  # groups that tell of the file, not of the cells
 MILLI = {"max_displacement": 1e3}
 
 
@@ -56,6 +60,10 @@ def fields_of(file: PeterkaFile) -> list[Field]:
             continue
         if name.startswith("peak_force") and name.endswith("_ratio") and file.newtons:
             found.append(Field(name, f"{name.removesuffix('_ratio')}_n", file.newtons, False))
+        elif name in ORBITS:
+            ratio, in_si, size = ORBITS[name]
+            unit = unit_of(file, ratio)
+            found.append(Field(name, f"{name}_{in_si if unit else 'ratio'}", size * unit if unit else 1.0, False))
         elif name in edges:
             found.append(Field(name, *edges[name], False))
         else:
@@ -72,14 +80,25 @@ def sides_of(file: PeterkaFile) -> tuple[Side, Side]:
              "velocity_ratio": ("velocity_m_s", 1.0)}
     found = []
     for axis in (file.rows, file.columns):
-        name, factor = axis.name, 1.0
+        name, values = axis.name, axis.values
         unit = unit_of(file, axis.name) if axis.name in units else None
         if unit:
-            name, factor = units[axis.name][0], units[axis.name][1] * unit
+            name, size = units[axis.name]
+            # those that the file has in SI units are these, to the last bit
+            values = size * (values * unit if axis.stored == axis.name else file.data.values(axis.stored, slice(None)))
         elif axis.name == "gap_m":
-            name, factor = "gap_mm", 1e3
-        found.append(Side(name, axis.values * factor, axis.name, axis.values))
+            name, values = "gap_mm", 1e3 * values
+        found.append(Side(name, values, axis.name, axis.values))
     return found[0], found[1]
+
+
+def left_out(file: PeterkaFile) -> list[str]:
+    """Names of the datasets, or groups, of a file that aren't one number of each cell, and so are none of its Fields or Sides."""
+    if not isinstance(file.data, CheckedFile):
+        return []
+    told = {field.dataset for field in fields_of(file)} | {axis.stored for axis in (file.rows, file.columns)} | NAMES | set(OF_THE_RUN)
+    names = dict.fromkeys(name.partition("/")[0] for name, dataset in file.data.numbers().items() if not is_scale(dataset.id))
+    return [name for name in names if name not in told and PLAIN_NAME.fullmatch(name)]
 
 
 def bands(file: PeterkaFile, fields: Sequence[Field]) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:

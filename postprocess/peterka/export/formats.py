@@ -10,9 +10,10 @@ import numpy as np
 from ..files.opened import OpenedFile
 from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
-from .cells import bands, fields_of, regime_word, sides_of
+from .cells import bands, fields_of, left_out, regime_word, sides_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
+MOST_NAMED = 12
 
 
 def write_csv(file: PeterkaFile, path: Path) -> None:
@@ -85,6 +86,14 @@ def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[P
         path = folder / f"{file.path.stem}.{name}"
         FORMATS[name](file, path)
         yield path
+
+
+def left_out_in_words(file: OpenedFile) -> list[str]:
+    """A line on what of a file is in no export; none where that is nothing."""
+    names = left_out(file) if isinstance(file, PeterkaFile) else []
+    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    return [f"{file.path}: not one number of each cell, and so left out: {', '.join(names[:MOST_NAMED])}{more}; xarray and "
+            "peterka.open read them from the file"] if names else []
 
 
 def _once(side):

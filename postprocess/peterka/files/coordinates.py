@@ -21,6 +21,16 @@ TWINS = {
     "start_velocity_ratio": "start_velocity_m_per_s",
 }
 RATIOS = {si: ratio for ratio, si in TWINS.items()}
+# Of each name in SI units: what people call it, and the unit in which they measure it, with how many of these it is.
+SPOKEN = {
+    "frequency_hz": ("frequency", "Hz", 1.0),
+    "gap_m": ("gap", "mm", 1e3),
+    "displacement_m": ("displacement", "mm", 1e3),
+    "velocity_m_per_s": ("velocity", "m/s", 1.0),
+    "start_displacement_m": ("start displacement", "mm", 1e3),
+    "start_velocity_m_per_s": ("start velocity", "m/s", 1.0),
+    "cart_amplitude_m": ("cart amplitude", "mm", 1e3),
+}
 NAMES = TWINS.keys() | RATIOS.keys()
 
 
@@ -39,6 +49,15 @@ class Coordinate:
     unit: float = 1.0
 
 
+@dataclass(frozen=True)
+class Measured:
+    """How people say a coordinate: `what` it is, and its `unit`; a number that is shown, times `factor`, is in that."""
+
+    what: str
+    unit: str
+    factor: float
+
+
 def unit_of(file: Scales, name: str) -> float | None:
     """The value of ratio 1 in SI units [Hz, m or m/s], for a coordinate by either of its names; None if the file does not give it."""
     ratio = RATIOS.get(name, name)
@@ -54,3 +73,13 @@ def coordinate(file: Scales, stored: str) -> Coordinate:
     """The Coordinate for a name in the file."""
     unit = unit_of(file, stored) if stored in RATIOS else None
     return Coordinate(RATIOS[stored], stored, unit) if unit else Coordinate(stored, stored)
+
+
+def measured(file: Scales, name: str) -> Measured | None:
+    """The Measured of a coordinate, by either of its names; None where the file doesn't tell, or where it is something else."""
+    si = TWINS.get(name, name)
+    one = unit_of(file, name) if name in TWINS else 1.0
+    if si not in SPOKEN or one is None:
+        return None
+    what, unit, factor = SPOKEN[si]
+    return Measured(what, unit, factor * one)

@@ -18,6 +18,7 @@ from ..files.harmless import harmless
 from ..errors import PeterkaFileError
 from ..files.regimes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting.classes import class_of
+from ..plotting.coordinates import in_words
 from .common_plane import CommonPlane
 from .map_file import PeterkaFile
 
@@ -121,10 +122,10 @@ def _force_lines(comparison):
                           zip(SHARES, np.percentile(ratio, SHARES, method="inverted_cdf")))
     lines = [f"Peak force in {len(ratio)} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
     for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
-        row, column = comparison.place[extreme]
-        columns, rows = comparison.plane.columns, comparison.plane.rows
-        lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at {columns.name} "
-                     f"{columns.values[column]:.6g}, {rows.name} {rows.values[row]:.6g}")
+        (row, column), plane = comparison.place[extreme], comparison.plane
+        lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at "
+                     f"{in_words(plane, plane.columns.name, plane.columns.values[column], 6)}, "
+                     f"{in_words(plane, plane.rows.name, plane.rows.values[row], 6)}")
     return lines
 
 

@@ -12,14 +12,16 @@ One point a line, named columns in any order, each in SI-like units or as the ra
     series                                   one legend entry per series
     label                                    written beside the point; a label shared by several points is a series
 
-Columns are separated by commas, or by semicolons or tabs, which permit decimal commas. A cell may be empty.
-A point with only a frequency is a mark on the frequency axis of a sweep. Lines that begin with # are comments.
+Columns are parted by commas, or by semicolons or tabs, and then numbers may have decimal commas. A cell may be empty.
+Points outside a map or the frequencies of a sweep are left out, and counted.
+A point with a frequency alone is a mark on the frequency axis of a sweep. Lines that begin with # are comments.
 """
 
 from collections import Counter
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from ..arrays import Reals
 from ..errors import PeterkaFileError
 from ..files.csv_table import read_csv_table
 from ..files.harmless import harmless
@@ -32,10 +34,11 @@ ERRORS = {name: (f"{name}_error_ratio", f"{name}_error_{UNITS[name]}") for name 
 COLUMNS = (*(name for pair in (*PAIRS.values(), *ERRORS.values()) for name in pair), "natural_frequency_hz", "series", "label")
 MAX_BYTES, MAX_LABEL = 2**24, 60
 MOST_LABELS = 200  # of all points
-MOST_SERIES = 24  # number of distinguishable marks
-SAME = 0.02  # tolerance for equal gaps, in A0, and equal natural frequencies, relative
-SAME_PLACE = 1e-6  # in A0: gaps equal up to rounding
-AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # axes over which points may lie
+MOST_SERIES = 24  # so many marks can be told apart
+SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
+SAME_END = 1e-9  # relative: 15 Hz as a ratio has other last bits
+SAME_PLACE = 1e-6  # and these, in A0, are but for rounding
+AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # over which points lie
 
 
 @dataclass(frozen=True)
@@ -84,6 +87,8 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
             inside = _lies_inside(table, line, point, file)
             points += [point] * inside
             outside += not inside
+        elif not _lies_along(point, file):
+            outside += 1
         else:
             gap = _gap(table, line, point.gap, file)
             if gap is False:
@@ -93,13 +98,19 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
                 if gap is not None and abs(point.gap - gap) > SAME_PLACE:
                     moved.setdefault(gap, []).append(abs(point.gap - gap))
     left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
-    left_out += [f"{path}: {outside} points outside the map are left out"] * (outside > 0)
+    left_out += [f"{path}: {outside} points outside the {'map' if file.kind == 'map' else 'frequencies of the sweep'} are left out"] * (outside > 0)
     left_out += [f"{path}: {len(distances)} points stand at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
                  for gap, distances in moved.items()]
     if other_gaps:
         left_out.append(f"{path}: {len(other_gaps)} points at {', '.join(dict.fromkeys(other_gaps))} are left out;"
                         " the sweep has no such gap")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
+
+
+def lies_between(values: Reals, x: float) -> bool:
+    """Whether ascending numbers reach to x, but for rounding."""
+    slack = SAME_END * max(abs(values[0]), abs(values[-1]))
+    return bool(values[0] - slack <= x <= values[-1] + slack)
 
 
 def _check_axes(file):
@@ -166,6 +177,10 @@ def _lies_inside(table, line, point, file):
     if point.gap is None:
         raise table.refusal("has no gap, and a map has all of them; add gap_mm or gap_ratio", line)
     return all(axis.edges[0] <= getattr(point, AXES[axis.name]) <= axis.edges[-1] for axis in (file.columns, file.rows))
+
+
+def _lies_along(point, file):
+    return lies_between(file.values, point.frequency)
 
 
 def _gap(table, line, gap, file):

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ..plotting.units import number
 from .matches import Match
 from .points import Point
 
@@ -27,7 +28,8 @@ def table(found: Sequence[Sequence[Match]], units: Units) -> list[str]:
              f"measured {force}", *(head + f" {force}" * (head in ("computed", "residual")) for head in HEADS))
     rows = [[*(_of_point(matches[0].point, units) if number == 0 else [""] * 3), *_of_motion(match, units),
              name_of(match.point) if number == 0 else ""] for matches in found for number, match in enumerate(matches)]
-    return lines(heads, rows)
+    told = [number for number, column in enumerate(zip(*rows)) if any(column)]  # a column of nothing is left out
+    return lines([heads[number] for number in told], [[row[number] for number in told] for row in rows])
 
 
 def lines(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
@@ -51,7 +53,7 @@ def _of_motion(match, units):
     error = match.point.errors.get("force")
     share = match.motion.share
     return (match.motion.words, "" if share is None else f"{100 * share:.3g} %", f"{match.force * (units.newtons or 1):.4g}",
-            f"{match.residual * (units.newtons or 1):+.3g}", f"{100 * match.residual / match.force:+.1f} %" if match.force > 0 else "",
+            f"{'-' if match.residual < 0 else '+'}{number(abs(match.residual) * (units.newtons or 1))}", f"{100 * match.residual / match.force:+.1f} %" if match.force > 0 else "",
             f"{match.residual / error:+.1f} s.e." if error else "", _where(match.away, units))
 
 

@@ -5,14 +5,13 @@ beyond the map have no value, because the outside is not computed.
 """
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from ..arrays import Mask, Reals
-from ..files import coordinates as scales
-from ..files.coordinates import TWINS
+from ..files.coordinates import SPOKEN, TWINS, Measured, measured
 from ..files.opened import OpenedFile
 from ..maps.map_file import Axis
 from .admitted import NO_REGIME, Admitted
@@ -22,8 +21,8 @@ TOUCH = 1e-9  # of a step: rounding
 
 @dataclass(frozen=True)
 class Reach:
-    """Along an axis: `width` in the axis' own numbers, the number of cells of the box `before` and `after` each cell, (n,),
-    and whether it lies `inside` the map, (n,)."""
+    """Along an axis: `width` of the drift in the axis' own numbers, how many cells the box has `before` and `after` each cell,
+    (n,), and whether it lies `inside` the map, (n,)."""
 
     width: float
     before: np.ndarray
@@ -35,26 +34,20 @@ class Reach:
         here = np.arange(len(self.before))
         return (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
 
-
-@dataclass(frozen=True)
-class Unit:
-    """The unit of an axis: the size of its numbers in `unit`."""
-
-    factor: float
-    unit: str
-    what: str
+    def ends(self, values: Reals, at: int) -> tuple[float, float]:
+        """From where to where the cells of the box of the cell `at` lie, by the axis' `values`."""
+        return float(values[at - self.before[at]]), float(values[at + self.after[at]])
 
 
-def unit_of(file: OpenedFile, name: str) -> Unit | None:
-    """The customary Unit of an axis, Hz or mm; None for other axes."""
-    shown = {"frequency_hz": Unit(1.0, "Hz", "frequency"), "gap_m": Unit(1000.0, "mm", "gap")}
+def unit_of(file: OpenedFile, name: str) -> Measured | None:
+    """How people set an axis that drifts, in Hz or mm; None for an axis of something else."""
     si = TWINS.get(name, name)
-    if si not in shown or si == name:
-        return shown.get(si)
-    ratio = scales.unit_of(file, name)
-    if ratio is None:
-        raise file.refusal(f"doesn't say what a {name} of 1 is in {shown[si].unit}")
-    return replace(shown[si], factor=shown[si].factor * ratio)
+    if si not in ("frequency_hz", "gap_m"):
+        return None
+    found = measured(file, name)
+    if found is None:
+        raise file.refusal(f"doesn't say what a {name} of 1 is in {SPOKEN[si][1]}")
+    return found
 
 
 def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:

@@ -57,8 +57,9 @@ def _show_computed(ax, file, block):
 def _mark(ax, file, places, rows, columns, quantity):
     for number, place in reversed(list(enumerate(places, 1))):
         x, y = file.columns.values[place.column], file.rows.values[place.row]
-        box = Rectangle((x - columns.width, y - rows.width), 2 * columns.width, 2 * rows.width, fill=False, zorder=5,
-                        edgecolor="black", linewidth=1.0 if number == 1 else 0.5, path_effects=axes.outline(2))
+        (left, right), (low, high) = columns.ends(file.columns.values, place.column), rows.ends(file.rows.values, place.row)
+        box = Rectangle((left, low), right - left, high - low, fill=False, zorder=5, edgecolor="black",
+                        linewidth=1.0 if number == 1 else 0.5, path_effects=axes.outline(2))
         if number > 1:
             box.set_gid(SEEN)
         ax.add_patch(box)

@@ -73,8 +73,8 @@ def refuse_few_starts(file: PeterkaFile, share: float) -> None:
 
 
 def may_stay_free(file: PeterkaFile, rows: Reach, columns: Reach) -> Mask:
-    """Whether the hammer can swing without impact anywhere in the box around
-    each cell, (rows, columns): in closed form, not only at the cells."""
+    """Whether the hammer can swing without impact anywhere within the drift around each cell, (rows, columns): in closed form,
+    not at the cells alone."""
     tables = _tables(file)
     found = np.zeros(file.shape, dtype=bool)
     # the amplitude has a single peak along the frequency and the stop is farthest at the largest gap: the minimum over a box
@@ -126,9 +126,9 @@ def text_of_sampling(starts: int, share: float | None) -> str:
 
 
 def text_of_proof(file: PeterkaFile) -> str:
-    """What holds for every start and everywhere in a box."""
+    """What holds for every start and everywhere within the drift."""
     springs = ", of linear springs" if job_numbers.number_of(_tables(file), "hammer.cubic_stiffness_n_per_m3") else ""
-    return f"by proof: nowhere in these boxes, nor between their cells, can the hammer swing without impact (closed form{springs})"
+    return f"by proof: nowhere within the drift, nor between the cells there, can the hammer swing without impact (closed form{springs})"
 
 
 def _tables(file):

@@ -2,11 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ..plotting import units
+from ..plotting.coordinates import in_words, spoken
 from ..maps.map_file import PeterkaFile
 from .admitted import ANY, JOB, Quantity
 from .drift import Reach, unit_of
 from .places import Place
+
+SAME = 1e-6  # relative: a box as wide as the drift but for rounding
 
 
 def starts_in_words(starts: str | float) -> str:
@@ -28,9 +33,24 @@ def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:
     return "drift " + (", ".join(words) or "none")
 
 
+def boxes_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> tuple[str, str]:
+    """How far the map's cells lie apart, and how far boxes reach to either side; empty where that is as far as the drift."""
+    apart, reaching, wider = [], [], False
+    for axis, along in ((file.columns, columns), (file.rows, rows)):
+        unit = unit_of(file, axis.name)
+        if unit is None or not along.width > 0 or not along.inside.any():
+            continue
+        boxes = [(axis.values[at], *along.ends(axis.values, at)) for at in np.flatnonzero(along.inside)]
+        reach = np.array([max(middle - low, high - middle) for middle, low, high in boxes])
+        wider |= bool(reach.max() > along.width * (1 + SAME))
+        apart.append(_span(np.diff(axis.values) * unit.factor, unit.unit))
+        reaching.append(f"±{_span(reach * unit.factor, unit.unit)}")
+    return (f"the map's cells are {' and '.join(apart)} apart", f"boxes are {' and '.join(reaching)}") if wider else ("", "")
+
+
 def place_in_words(file: PeterkaFile, place: Place) -> str:
-    """The coordinates of a place."""
-    return ", ".join(_coordinate(file, axis, at) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
+    """Where a place is."""
+    return ", ".join(in_words(file, axis.name, axis.values[at]) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
 
 
 def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:
@@ -64,20 +84,16 @@ def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapp
     return [*lines, "  there, from the job's own start: " + ", ".join(there)]
 
 
+def _span(numbers, unit):
+    low, high = (f"{number:.3g}" for number in (numbers.min(), numbers.max()))
+    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
+
+
 def _head(file, axis):
-    unit = unit_of(file, axis.name)
+    unit = spoken(file, axis.name)
     return f"{unit.what} [{unit.unit}]" if unit else axis.name
 
 
 def _number(file, axis, at):
-    unit = unit_of(file, axis.name)
+    unit = spoken(file, axis.name)
     return axis.values[at] * (unit.factor if unit else 1.0)
-
-
-def _coordinate(file, axis, at):
-    unit = unit_of(file, axis.name)
-    value = f"{_number(file, axis, at):.5g}"
-    if unit is None:
-        return f"{axis.name} = {value}"
-    ratio = f" ({axis.name} {axis.values[at]:.5g})" if axis.name.endswith("_ratio") else ""
-    return f"{unit.what} {value} {unit.unit}{ratio}"

@@ -33,21 +33,20 @@ class NoEngine(Exception):
 
 
 def module(cache: Path | None = None) -> bytes:
-    """The bytes of the module, built into the cache (default: build/page beside src) where it isn't there."""
-    return path(cache).read_bytes()
-
-
-def path(cache: Path | None = None) -> Path:
-    """Where the module is: in the cache, or, without sources, where it was installed. Raises NoEngine."""
-    cache = cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))
+    """The bytes of the module, from the cache (default: build/page beside src) where it is built already."""
     if not SCRIPT.is_file():
         if installed := _installed():
             return installed
         raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing), nor an engine that was installed with the program")
-    built = cache / f"engine-{_fingerprint()}.wasm"
+    built = _cached(cache)
     if not built.is_file():
         _build(built)
     return built
+
+
+def is_to_be_built(cache: Path | None = None) -> bool:
+    """Whether module() will build it first, which takes a minute."""
+    return SCRIPT.is_file() and not _cached(cache).is_file()
 
 
 def version() -> str:
@@ -56,6 +55,10 @@ def version() -> str:
         return _fingerprint()[:8]
     installed = _installed()
     return installed.stem.removeprefix("engine-")[:8] if installed else "none"
+
+
+def _cached(cache):
+    return (cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))) / f"engine-{_fingerprint()}.wasm"
 
 
 def _installed():

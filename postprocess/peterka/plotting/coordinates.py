@@ -1,4 +1,7 @@
-"""Axis labels: names and units of every coordinate of a map or a sweep."""
+"""What axes are called: the words and units of everything over which a map or a sweep may run, and places on them in words."""
+
+from ..files.coordinates import TWINS, Measured, Scales, measured
+from . import style
 
 LABELS = {
     "frequency_ratio": r"$\Omega/\omega$",
@@ -36,3 +39,17 @@ IN_MILLIMETRES = {"gap_m": "gap (mm)", "cart_amplitude_m": "cart amplitude $A_0$
 def label(name: str) -> str:
     """The label; an unknown name is used itself, without characters that a picture would interpret as mathematics."""
     return LABELS.get(name) or name.replace("$", "").replace("\\", "")
+
+
+def spoken(file: Scales, name: str) -> Measured | None:
+    """How a coordinate is told in the units that are asked for; None where it is told by its name in the file, as it is shown."""
+    return None if name in TWINS and style.current().units == "ratio" else measured(file, name)
+
+
+def in_words(file: Scales, name: str, value: float, digits: int = 5) -> str:
+    """A place on an axis: "frequency 9 Hz (frequency_ratio 2)", or one of both alone where these units are asked for."""
+    own, unit = f"{name} {value:.{digits}g}", spoken(file, name)
+    if unit is None:
+        return own
+    told = f"{unit.what} {value * unit.factor:.{digits}g} {unit.unit}"
+    return f"{told} ({own})" if name in TWINS and style.current().units == "both" else told

@@ -94,7 +94,7 @@ def _write_apart(ax, x, y, text, taken):
                        arrowprops={"arrowstyle": "-", "linewidth": 0.6})
     for size, places in ((8, PLACES), (6.5, PLACES), (5, PLACES), (5, MORE_PLACES)):
         note.set(fontsize=size)
-        free = _first_free(_box(note), ax, places, taken)
+        free = _nearest_free(_box(note), ax, places, taken, ax.transData.transform((x, y)))
         if free is not None:
             across, up = free
             return note.set(position=free, ha=("left", "center", "right")[round(2 * across)],
@@ -102,8 +102,8 @@ def _write_apart(ax, x, y, text, taken):
     note.remove()
 
 
-def _first_free(box, ax, places, taken):
-    """(across, up) of the first of these places at which a box of this size fits; None without one."""
+def _nearest_free(box, ax, places, taken, own):
+    """(across, up) of the place, of these, at which a box of this size has room nearest to its own point; None without one."""
     anchors = np.array(list(product(places, places)))
     size, start = np.array([box.width, box.height]), np.array([ax.bbox.x0, ax.bbox.y0])
     low = start + anchors * [ax.bbox.width, ax.bbox.height] - np.round(2 * anchors) / 2 * size
@@ -111,8 +111,8 @@ def _first_free(box, ax, places, taken):
     within = np.all((low >= start + AIR) & (high <= [ax.bbox.x1 - AIR, ax.bbox.y1 - AIR]), axis=1)
     others = np.array([[other.x0, other.y0, other.x1, other.y1] for other in taken]).reshape(-1, 1, 4)
     meets = np.all((low < others[..., 2:]) & (high > others[..., :2]), axis=2).any(axis=0)
-    free = np.flatnonzero(within & ~meets)
-    return tuple(anchors[free[0]]) if free.size else None
+    away = np.where(within & ~meets, np.linalg.norm(own - np.clip(own, low, high), axis=1), np.inf)
+    return tuple(anchors[np.argmin(away)]) if np.isfinite(away).any() else None
 
 
 def _has_room(note, ax, taken):

@@ -14,10 +14,12 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..errors import PeterkaFileError
+from ..files.coordinates import coordinate
 from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import RIG, SAME_GAP, WORDS, CurvesFile
 from ..maps.curves_map import COLOURS, LOOKS
+from ..plotting.coordinates import spoken
 from .sweep_file import SweepFile
 
 
@@ -36,9 +38,11 @@ NO_BORDERS: tuple[Border, ...] = ()
 
 
 def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
-    """The borders met by the sweep's branches, ordered by gap and frequency."""
-    if not isinstance(sweep, SweepFile) or sweep.axis_name != "frequency_ratio":
-        raise PeterkaFileError(f"{sweep.path} is no sweep over frequency_ratio; borders are drawn over one")
+    """The borders that the sweep's branches meet, by gap and frequency."""
+    if not isinstance(sweep, SweepFile):
+        raise PeterkaFileError(f"{sweep.path} is no sweep but a {sweep.kind}; borders are drawn over a sweep of frequencies")
+    if sweep.axis_name != "frequency_ratio":
+        raise PeterkaFileError(f"{sweep.path} runs over {sweep.axis_name}; borders are drawn over a sweep of frequencies")
     with CurvesFile(path) as file:
         if _rig(file) != _rig(sweep):
             raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}")
@@ -47,8 +51,9 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
                for gap in sweep.gaps if gap is not None
                for each in crossings if abs(each.gap_ratio - gap) < SAME_GAP]
     if not borders:
-        gaps = ", ".join(f"{gap:.10g}" for gap in sweep.gaps if gap is not None)
-        raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] gap_ratio = [{gaps}]")
+        gap_of = coordinate(sweep, "gap_m" if sweep.data.has("gap_m") else sweep.gap_name)
+        gaps = ", ".join(f"{gap * gap_of.unit:.10g}" for gap in sweep.gaps if gap is not None)
+        raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] {gap_of.stored} = [{gaps}]")
     return sorted((border for border in borders if _is_met(sweep, border)),
                   key=lambda border: (border.gap, border.frequency_ratio))
 
@@ -73,10 +78,11 @@ def draw_borders(ax: Axes, borders: Sequence[Border]) -> None:
 
 
 def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
-    """A list of the borders, as lines; in Hz if the file gives the rig."""
-    hertz = sweep.positive("natural_frequency_hz")
-    rows = [("frequency [Hz]" if hertz else "Omega/omega", "gap/A0", "z", "border")]
-    rows += [(f"{border.frequency_ratio * (hertz or 1):.9g}", f"{border.gap:.6g}", f"{border.impacts}/{border.period}",
+    """Lines; in Hz and mm where the file tells the rig and units are not to be ratios alone."""
+    scales = [(spoken(sweep, name), words) for name, words in ((sweep.axis_name, "Omega/omega"), (sweep.gap_name, "gap/A0"))]
+    rows = [(*(f"{unit.what} [{unit.unit}]" if unit else words for unit, words in scales), "z", "border")]
+    across, up = (unit.factor if unit else 1.0 for unit, _ in scales)
+    rows += [(f"{border.frequency_ratio * across:.9g}", f"{border.gap * up:.6g}", f"{border.impacts}/{border.period}",
               WORDS[border.kind]) for border in borders]
     widths = [max(map(len, column)) for column in zip(*rows)]
     return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]

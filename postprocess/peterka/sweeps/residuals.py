@@ -8,16 +8,15 @@ import numpy as np
 from ..measurements import tables
 from ..measurements.map_residuals import known
 from ..measurements.matches import Known, Match, Place, around, distance, matches
-from ..measurements.points import Point
+from ..measurements.points import Point, lies_between
 from .sweep_file import OF_ATTRACTORS, SweepFile
 
 
 def residuals(file: SweepFile, points: Iterable[Point]) -> list[list[Match]]:
     """The [Match] of each point with a force, in their order; empty for points outside the sweep."""
     slots = {gap: _slots(file, file.at_gap(gap)) for gap in file.gaps}
-    ends = file.values[0], file.values[-1]
     return [matches(point, _places(file, point, slots)) for point in points
-            if point.force is not None and ends[0] <= point.frequency <= ends[1]]
+            if point.force is not None and lies_between(file.values, point.frequency)]
 
 
 def table(file: SweepFile, found: Sequence[Sequence[Match]]) -> list[str]:
@@ -50,10 +49,11 @@ def _on_branch(branch, at, first, last):
 
 
 def _merged(motions):
-    """The branches' motions; both branches of a gap often follow the same orbit, which is listed once."""
+    """Both branches of a gap are often on the same orbit, whose force is then the same but for rounding: told once."""
     found: list[Known] = []
     for motion in filter(None, motions):
-        same = next((n for n, one in enumerate(found) if (one.force, one.key[1]) == (motion.force, motion.key[1])), None)
+        same = next((n for n, one in enumerate(found) if one.key[1] == motion.key[1] and distance(one.force, motion.force) == 0
+                     and one.words.startswith(f"{motion.words.rpartition(' ')[0]} ")), None)
         if same is None:
             found.append(motion)
         else:
