@@ -44,7 +44,7 @@ class UnreadableJob(ValueError):
 def tables_of(text: object) -> dict[str, Any]:
     """The tables of a job's text."""
     try:
-        return tomllib.loads(text)  # non-text is refused below
+        return tomllib.loads(text)  # type: ignore[arg-type]  # non-text is refused below
     except (tomllib.TOMLDecodeError, RecursionError, TypeError, AttributeError) as error:
         raise UnreadableJob("holds no job that can be read") from error
 

@@ -68,7 +68,7 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
 def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
     """{"rows", "columns": the axis' table in the job}; a job's first axis is that of the columns."""
     try:
-        found = list(_tables(tomllib.loads(text)["axes"], "axes"))  # non-text is refused below
+        found = list(_tables(tomllib.loads(text)["axes"], "axes"))  # type: ignore[arg-type]  # non-text: refused below
     except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError) as error:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__})") from error
     by_name = {_coordinate(path): path for path in found}

@@ -113,7 +113,7 @@ def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
     cell. The law's own names stand for its numbers under `contact`."""
     text = file.data.attribute("job")
     try:
-        job = tomllib.loads(text)  # non-text is refused below
+        job = tomllib.loads(text)  # type: ignore[arg-type]  # non-text is refused below
         numbers = _numbers(job)
         lacking = [name for name in NEEDED if numbers[name] is None and name not in _set_by_axes(file)]
         if lacking:
