@@ -104,6 +104,24 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
     assert browser.complaints() == []
 
 
+def test_units_stand_beside_names(browser, map_page):
+    browser.open(map_page)
+    names = browser.ask("Object.fromEntries([...document.getElementById('layer').options].map((one) => [one.value, one.textContent]))")
+    assert names["impact_speed"] == "impact speed (m/s)" and names["multiplier"] == "multiplier"
+
+
+@pytest.mark.parametrize("amplitude", [0.89e-5, 0.89e-3, 0.089])
+def test_amounts_have_the_prefix_that_keeps_them_between_1_and_1000(browser, page_of, amplitude):
+    """Of springs without their cubic term: the power goes with the amplitude's square."""
+    browser.open(page_of("peterka_170mm.toml", "axes.frequency_ratio.points=8", "axes.gap_ratio.points=8", "audit.cells=0",
+                         f"cart.amplitude_m={amplitude}", "hammer.cubic_stiffness_n_per_m3=0"), "at=1.5,0.5")
+    rows = "Object.fromEntries([...document.querySelectorAll('#numbers dt')].map((one) => [one.textContent, one.nextSibling.textContent]))"
+    browser.solved()
+    for name, unit in (("power into the stop", "W"), ("impulse", "N s")):
+        amount, told = browser.ask(rows)[name].split(" ", 1)
+        assert 1 <= float(amount) < 1000 and told.endswith(unit) and told.removesuffix(unit) in ("n", "µ", "m", "", "k")
+
+
 class WithShares:
     """The data of an open file, plus basin_share[attractor][row][column], as in maps with several starts."""
 

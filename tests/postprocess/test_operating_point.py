@@ -186,6 +186,12 @@ def test_an_answer_for_a_share_names_what_it_leaves_out(tmp_path, run_program):
     assert "of all starts at least 86.09 % end in it" in out  # 0.05^(1/20)
 
 
+def test_an_answer_for_a_share_says_where_nothing_is_left_out(tmp_path, run_program):
+    path = one_label(tmp_path / "a.h5", np.linspace(1.5, 1.7, 6), np.linspace(0, 1, 5))
+    code, out, err = run_program("operating_point", path, "--hz", 0, "--mm", 0, "--starts", "share", 0.8, "--formats", "png")
+    assert (code, err) == (0, "") and "\n  nothing is left out: no other motion is known in the best box\n" in out
+
+
 @pytest.mark.parametrize("ended, of", [(20, 20), (19, 20), (290, 299)])
 def test_the_least_share_is_that_of_the_binomial_distribution(ended, of):
     share = told.least_share(ended / of, of)

@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 import pytest
 from curves_samples import LINES, write_curves
+from picture_samples import write_map
 from sealing import SealedFile
 from sweep_samples import POINTS, SAMPLES, write_sweep, write_sweep_with_starts
 
@@ -115,6 +116,18 @@ def test_curves_have_their_points_and_orbits(tmp_path):
     np.testing.assert_array_equal(numbers(curves["points"]["row"]), [y for *_, points in LINES for _, y in points])
     np.testing.assert_array_equal(numbers(curves["points"]["orbit_velocity"]), 3 + np.arange(count) / 10)
     assert [one["words"] for one in curves["specials"]] == ["fold with grazing", "cusp: two folds meet"]
+
+
+def test_names_of_layers_have_no_units_in_them(tmp_path):
+    titles = {"contact_power_w": ("contact power", "W"), "edge_distance_frequency_hz": ("edge distance frequency", "Hz"),
+              "edge_kind_gap_m": ("edge kind gap", "1"), "edge_distance_gap_ratio": ("edge distance gap ratio", "1")}
+    path = write_map(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        for name, (_, unit) in titles.items():
+            file[name] = np.ones(file["regime"].shape)
+            file[name].attrs["units"] = unit
+    content, _ = content_of(path, list(titles))
+    assert {layer["name"]: (layer["title"], layer["unit"]) for layer in content["layers"][1:]} == titles
 
 
 def test_a_file_without_any_curve_is_a_coarse_map(tmp_path):

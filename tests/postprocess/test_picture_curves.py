@@ -36,6 +36,14 @@ def test_each_kind_has_its_line(tmp_path, picture):
     assert len({line.get_color() for line in lines}) == 3
 
 
+def test_the_legend_says_what_several_letters_are(tmp_path):
+    """A fold with grazing and a cusp so near to each other that they share their letters."""
+    specials = [(0, 2.5, 2.5), (3, 2.52, 2.5)]
+    figure = drawn(write_curves(tmp_path / "c.h5", specials=specials), curves_map.draw, tmp_path)
+    titles = [ax.get_legend().get_title().get_text() for ax in figure.axes if ax.get_legend()]
+    assert "FC" in [text.get_text() for text in figure.axes[0].texts] and titles[-1] == "special points (several letters: several together)"
+
+
 def test_the_legend_tells_only_what_is_there(tmp_path):
     words = legend_words(drawn(write_curves(tmp_path / "c.h5"), curves_map.draw, tmp_path))
     assert words == ["fold: the orbit is born or ends", "period doubling", "grazing: an impact is gained or lost",

@@ -12,6 +12,7 @@ from conftest import POSTPROCESS
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from picture_samples import write_map
+from sealing import SealedFile
 from test_picture_real_file import MAP, RIG
 
 JOB = {
@@ -201,3 +202,11 @@ def test_one_gap_of_a_map_says_how_to_ask_for_a_plane(tmp_path):
     with pytest.raises(PeterkaFileError, match=r"keep a plane with sel\(gap_ratio=\[1\]\)"):
         peterka.draw(data.sel(gap_ratio=1.0))
     assert peterka.draw(data.sel(gap_ratio=[1.0])).get_ylim() == (0.95, 1.05)
+
+
+def test_what_guards_a_file_is_not_listed(tmp_path):
+    path = write_map(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file["tiles/done"], file["run/tile_seconds"] = np.ones(3, "i1"), np.ones(3)
+    groups = {name.partition("/")[0] for name in peterka.open(path).variables if "/" in name}
+    assert groups == {"run"}

@@ -13,6 +13,8 @@ from xarray.core import indexing
 from .checked_hdf5 import CheckedFile
 from .coordinates import NAMES
 
+OF_THE_FILE = ("tiles/", "summary/")  # checksums and what is finished: verified when it is opened
+
 
 class _Stored(BackendArray):
     """The numbers of one dataset of an open file."""
@@ -28,9 +30,11 @@ class _Stored(BackendArray):
 
 
 def dataset_of(data: CheckedFile) -> xarray.Dataset:
-    """A dataset of all numbers of a checked file. The file stays open as long as the dataset is in use."""
+    """All numbers of a checked file, but those that guard it: OF_THE_FILE. It stays open as long as the dataset is used."""
     variables = {}
     for name, dataset in data.numbers().items():
+        if name.startswith(OF_THE_FILE):
+            continue
         values = indexing.LazilyIndexedArray(_Stored(data, name, dataset))
         variables[name] = xarray.Variable(_dimensions(name, dataset), values, data.attributes(name))
     scales = {name for name, variable in variables.items() if variable.dims == (name,)}

@@ -49,7 +49,7 @@ def _draw(file, ax, over_map):
     specials = [kind for kind in LETTERS if any(special.kind == kind for special in file.specials)]
     letters = [Line2D([], [], linestyle="none", marker=f"${LETTERS[kind][0]}$", markersize=5, color="black",
                       label=LETTERS[kind][1]) for kind in specials]
-    legends = [(curves, 1, None), (letters, 2, None)]
+    legends = [(curves, 1, None), (letters, 2, "special points (several letters: several together)")]
     if over_map:
         orbits, regimes = legend_entries(counts, file.observed_chaos)
         legends = [(orbits, 3, "$z = p/q$ (share of the coarse map)"), (regimes, 2, None), *legends]

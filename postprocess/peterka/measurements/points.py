@@ -98,7 +98,8 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
                 if gap is not None and abs(point.gap - gap) > SAME_PLACE:
                     moved.setdefault(gap, []).append(abs(point.gap - gap))
     left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
-    left_out += [f"{path}: {outside} points outside the {'map' if file.kind == 'map' else 'frequencies of the sweep'} are left out"] * (outside > 0)
+    where = "map" if file.kind == "map" else "frequencies of the sweep"
+    left_out += [f"{path}: {outside} points outside the {where} are left out"] * (outside > 0)
     left_out += [f"{path}: {len(distances)} points stand at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
                  for gap, distances in moved.items()]
     if other_gaps:

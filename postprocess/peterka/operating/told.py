@@ -111,7 +111,7 @@ def text_of_left_out(found: list[LeftOut], stays_free: bool) -> str:
              (f"up to {100 * one.share:.2g} % of a cell's starts)" if one.share > 0 else "found by no start)") for one in found]
     if stays_free and all(one.name != NAMES[NO_IMPACT] for one in found):
         words.append(f"{CLOSED_FORM} (between cells of the box, in closed form)")
-    return "left out: " + (", ".join(words) or "no motion that is known")
+    return f"left out: {', '.join(words)}" if words else "nothing is left out: no other motion is known in the best box"
 
 
 def text_of_sampling(starts: int, share: float | None) -> str:

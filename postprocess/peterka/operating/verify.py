@@ -88,7 +88,8 @@ def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity
     if found.holds(place):
         return f"it holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
     return (f"it falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
-            f"has {worst:.4g} {unit}, at {in_words(file, file.columns.name, found.at[1], 6)}, {in_words(file, file.rows.name, found.at[0], 6)}")
+            f"has {worst:.4g} {unit}, at {in_words(file, file.columns.name, found.at[1], 6)}, "
+            f"{in_words(file, file.rows.name, found.at[0], 6)}")
 
 
 def _tables(table, path):

@@ -93,9 +93,9 @@ class CellPanel {
     const rows = [
       ["peak force", force > 0 ? `${number(force * answer.weight_n, "N")} = ${number(force, "m g")}` : number(force, "m g")],
       ["impact speed", number(1000 * answer.impact_speed, "mm/s")],
-      ["impulse", number(1000 * answer.impulse, "mN s")],
+      ["impulse", amount(answer.impulse, "N s")],
       ["time pressed", timeWords(answer.contact_time)],
-      ["power into the stop", number(1000 * answer.contact_power_w, "mW")],
+      ["power into the stop", amount(answer.contact_power_w, "W")],
       ["largest |u|", number(1000 * answer.max_displacement, "mm")],
       ["impacts per cycle", number(answer.impact_rate, "")],
       ["Lyapunov exponent", number(answer.lyapunov, "per cycle", 3)],

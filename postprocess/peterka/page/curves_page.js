@@ -12,7 +12,8 @@ class CurvesPage extends MapPage {
     return new CurvesView(element("map"), element("map-top"), tell, () => Boolean(this.rig?.differs));
   }
   sizeWords() {
-    return `${curves.list.length.toLocaleString("en")} curves · coarse map of ${super.sizeWords()}`;
+    const count = curves.list.length;
+    return `${count.toLocaleString("en")} ${count === 1 ? "curve" : "curves"} · coarse map of ${super.sizeWords()}`;
   }
   get invitation() {
     return "Point at a curve or a cell; click a curve for the motions on both of its sides, a cell for its own.";

@@ -13,6 +13,7 @@ from matplotlib.colors import to_hex
 
 from ..errors import PeterkaFileError
 from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.coordinates import SPOKEN
 from ..files.opened import OpenedFile
 from ..plotting import classes
 from ..maps.map_file import PeterkaFile
@@ -23,8 +24,9 @@ EXACT_CELLS = 2**20
 MOST_CELLS = 2**24  # limit of a page; --every takes a part of a larger map
 MOST_LABELS = 65536
 LABELS = ("regime", "impacts", "period")
-TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", "cycles": "cycles spent"}
-TOP_SHARE = 99.9  # of the values: isolated larger cells do not stretch the scale
+TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", "cycles": "cycles spent",
+          "contact_power_w": "contact power", "mean_life_s": "mean life", "mean_life_error_s": "mean life error"}
+TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
 
 def labels(file: PeterkaFile, every: int) -> tuple[dict[str, Any], bytes]:
@@ -76,7 +78,7 @@ def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: i
     """({description}, bytes) of values of a dataset, (rows, columns), under a name: exact, or shortened to fit into `room` bytes."""
     description: dict[str, Any] = {
         "name": name,
-        "title": TITLES.get(dataset, dataset.replace("_", " ")) + name[len(dataset):].replace("[", " ").replace("]", ""),
+        "title": _title(dataset) + name[len(dataset):].replace("[", " ").replace("]", ""),
         "about": str(file.data.attribute("long_name", dataset) or ""),
         "unit": str(file.data.attribute("units", dataset) or "1"),
     }
@@ -96,6 +98,13 @@ def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:
         return file.data.dataset(name, None, INTEGER + REAL).shape
     except PeterkaFileError:
         return None
+
+
+def _title(dataset):
+    """In words, and without the unit, which is told beside it."""
+    axis = next((axis for axis in SPOKEN if dataset.endswith(f"_{axis}")), None)
+    name = dataset if axis is None else dataset.removesuffix(axis) + SPOKEN[axis][0]
+    return TITLES.get(dataset, name.replace("_", " "))
 
 
 def _shortened(values, room):

@@ -23,10 +23,10 @@ function tickOf(layer, value) {
   return tick;
 }
 
-function aboutLayer(layer) {
-  const unit = layer.unit && layer.unit !== "1" ? ` (${layer.unit})` : "";
-  return `${layer.about || layer.title}${unit}`;
-}
+// Its unit after its name, or after what it is.
+const inUnit = (words, layer) => (layer.unit && layer.unit !== "1" ? `${words} (${layer.unit})` : words);
+
+const aboutLayer = (layer) => inUnit(layer.about || layer.title, layer);
 
 function entriesInto(parent, entries) {
   const list = Object.assign(document.createElement("ul"), { className: "entries" });

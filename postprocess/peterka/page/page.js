@@ -47,7 +47,7 @@ class Page {
   #fillLayers() {
     const select = element("layer");
     for (const layer of this.layers) {
-      select.append(Object.assign(document.createElement("option"), { value: layer.name, textContent: layer.title }));
+      select.append(Object.assign(document.createElement("option"), { value: layer.name, textContent: inUnit(layer.title, layer) }));
     }
     select.addEventListener("change", () => this.showLayer(select.value));
   }

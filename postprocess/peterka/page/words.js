@@ -2,6 +2,16 @@
 
 const number = (value, unit, count = 4) => (Number.isFinite(value) ? `${digits(value, count)}${unit ? ` ${unit}` : ""}` : "–");
 
+const PREFIXES = [[1e-9, "n"], [1e-6, "µ"], [1e-3, "m"], [1, ""], [1e3, "k"], [1e6, "M"], [1e9, "G"]];
+
+// With the prefix that keeps the number between 1 and 1000, as plotting/units.py has it.
+function amount(value, unit, count = 4) {
+  if (!Number.isFinite(value)) return number(value, unit, count);
+  const size = Math.abs(Number(value.toPrecision(count))); // 999.96 is 1 k
+  const [one, letter] = PREFIXES.findLast(([prefix]) => size >= prefix * (1 - 1e-12)) ?? (size > 0 ? PREFIXES[0] : [1, ""]);
+  return number(value / one, `${letter}${unit}`, count);
+}
+
 function timeWords(seconds) {
   if (!(seconds > 0)) return seconds === 0 ? "0 s" : "–";
   const { scale, unit } = timeUnit(seconds);
