@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from attractor_samples import write_attractors
 from colour_distance import lightness
-from curves_samples import write_distances
+from curves_samples import write_curves, write_distances
 from matplotlib.colors import to_hex
 from matplotlib.image import imread
 from peterka.plotting import figures, fills, style
@@ -59,7 +59,7 @@ def test_what_looked_the_same_in_grey_does_not_any_more(tmp_path):
 def samples(folder):
     return [write_map(folder / "map.h5", BLOCKS), write_basin(folder / "basin.h5"), write_sweep(folder / "sweep.h5"),
             write_trace(folder / "trace.h5"), write_trace(folder / "with_a_stop.h5", gap_ratio=0.25),
-            write_map(folder / "fields.h5", fields=FIELDS)]
+            write_curves(folder / "curves.h5"), write_map(folder / "fields.h5", fields=FIELDS)]
 
 
 def test_a_grey_picture_has_no_colour(tmp_path):
