@@ -54,6 +54,22 @@ def write_curves(path, lines=None, specials=None, crossings=(), branches=(), **a
     return path
 
 
+def write_distances(path):
+    """Cells at 0.1 from an edge, but two that have none in the window and one that could not be followed."""
+    write_curves(path, cart_amplitude_m=1e-3, natural_frequency_hz=4.0)
+    with SealedFile(path, "r+") as file:
+        shape = file["regime"].shape
+        kinds = np.zeros(shape, dtype="i1")
+        kinds[0, :2], kinds[1, 0], kinds[-1] = 3, 4, -128
+        distances = np.where(kinds == 0, -0.1, np.nan)
+        for side in ("frequency_ratio", "gap_ratio"):
+            for name, values in ((f"edge_distance_{side}", distances), (f"edge_kind_{side}", kinds)):
+                data = file.create_dataset(name, data=values)
+                for scale, dimension in zip(("gap_ratio", "frequency_ratio"), data.dims):
+                    dimension.attach_scale(file[scale])
+    return path, kinds
+
+
 def _table(file, dimension, size, columns):
     if size == 0:
         return

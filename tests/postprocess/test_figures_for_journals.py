@@ -4,7 +4,10 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from attractor_samples import write_attractors
 from colour_distance import lightness
+from curves_samples import write_curves, write_distances
+from matplotlib.colors import to_hex
 from matplotlib.image import imread
 from peterka.plotting import figures, fills, style
 from peterka.plotting.classes import SECOND_COLOURS
@@ -55,7 +58,8 @@ def test_what_looked_the_same_in_grey_does_not_any_more(tmp_path):
 
 def samples(folder):
     return [write_map(folder / "map.h5", BLOCKS), write_basin(folder / "basin.h5"), write_sweep(folder / "sweep.h5"),
-            write_trace(folder / "trace.h5"), write_trace(folder / "with_a_stop.h5", gap_ratio=0.25), write_map(folder / "fields.h5", fields=FIELDS)]
+            write_trace(folder / "trace.h5"), write_trace(folder / "with_a_stop.h5", gap_ratio=0.25),
+            write_curves(folder / "curves.h5"), write_map(folder / "fields.h5", fields=FIELDS)]
 
 
 def test_a_grey_picture_has_no_colour(tmp_path):
@@ -66,6 +70,28 @@ def test_a_grey_picture_has_no_colour(tmp_path):
                 figure.savefig(tmp_path / "a.png", dpi=100)
                 pixels = imread(tmp_path / "a.png")[..., :3]
                 assert np.ptp(pixels, axis=2).max() < 0.02, f"{path.stem} {name} has colours"
+
+
+def without_a_value(ax):
+    """The colours of what lies beneath the values of a map, and those of its scale."""
+    beneath, values = ax.collections
+    shown = np.unique(beneath.get_array().compressed()).astype(int)
+    return {to_hex(beneath.cmap(number)) for number in shown}, {to_hex(values.cmap(number)) for number in range(256)}
+
+
+def test_in_grey_nothing_without_a_value_looks_like_one(tmp_path):
+    """It is white, which no value is, under lines where there is more than one of it: cells that are not computed yet, too."""
+    distances, kicks = write_distances(tmp_path / "c.h5")[0], write_attractors(tmp_path / "k.h5")
+    for path, name, count in ((write_map(tmp_path / "a.h5", BLOCKS), "force_1_1", 2), (distances, "edge_distance_gap", 3),
+                              (distances, "edge_distance_frequency", 3), (kicks, "kick", 4)):
+        with open_file(path) as file:
+            figure = figure_of(pictures_of(file)[name](file, palette="grey"))
+        beneath, scale = without_a_value(figure.axes[0])
+        assert "#ffffff" in beneath and "#ffffff" not in scale, name
+        patches = [patch for ax in figure.axes if ax.get_legend() for patch in ax.get_legend().get_patches()]
+        looks = [(to_hex(patch.get_facecolor()), patch.get_hatch()) for patch in patches]
+        assert {colour for colour, _ in looks} == {"#ffffff"}, f"{name}: {looks}"
+        assert len(set(looks)) == len(looks) == count, f"{name}: {looks}"
 
 
 def test_a_colour_picture_has(tmp_path):

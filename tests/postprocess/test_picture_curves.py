@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from curves_samples import LINES, write_curves
+from curves_samples import LINES, write_curves, write_distances
 from peterka.export.formats import export
 from peterka.errors import PeterkaFileError
 from peterka.plotting import axes, style
 from peterka.maps import curves_map, edge_distance_map
 from peterka.maps.curves_file import CurvesFile
 from peterka.pictures import open_file, pictures_of
-from sealing import SealedFile
 
 
 def drawn(path, picture, tmp_path):
@@ -105,22 +104,6 @@ def test_unstable_orbits_that_cannot_be_are_refused(tmp_path, branch):
         assert file.unstable_branches[0].force.tolist() == [20.0, 21.0]
     with pytest.raises(PeterkaFileError, match="has a branch of no place"):
         CurvesFile(write_curves(tmp_path / "c.h5", branches=[SOUND, branch]))
-
-
-def write_distances(path):
-    """Cells at 0.1 from an edge, except two without an edge in the window and one that could not be followed."""
-    write_curves(path, cart_amplitude_m=1e-3, natural_frequency_hz=4.0)
-    with SealedFile(path, "r+") as file:
-        shape = file["regime"].shape
-        kinds = np.zeros(shape, dtype="i1")
-        kinds[0, :2], kinds[1, 0], kinds[-1] = 3, 4, -128
-        distances = np.where(kinds == 0, -0.1, np.nan)
-        for side in ("frequency_ratio", "gap_ratio"):
-            for name, values in ((f"edge_distance_{side}", distances), (f"edge_kind_{side}", kinds)):
-                data = file.create_dataset(name, data=values)
-                for scale, dimension in zip(("gap_ratio", "frequency_ratio"), data.dims):
-                    dimension.attach_scale(file[scale])
-    return path, kinds
 
 
 @pytest.mark.parametrize("side, unit, drift", [("frequency_ratio", "Hz", 0.4), ("gap_ratio", "mm", 0.1)])

@@ -41,6 +41,32 @@ def test_forces_of_each_cycle_are_in_newtons_too(tmp_path):
     assert drawn.map_texts()[0].startswith("max 40")
 
 
+@pytest.mark.parametrize("name, ratio, si, factor, unit", [
+    ("orbit_displacement", "$u/A_0$", "$u$", 0.89, "mm"),
+    ("orbit_velocity", r"$\dot{u}/(A_0\omega)$", r"$\dot{u}$", 2 * np.pi * 4.5 * 0.89e-3, "m/s")])
+def test_the_state_of_an_orbit_is_in_the_units_of_the_picture(tmp_path, name, ratio, si, factor, unit):
+    """A0 omega is the unit of velocities, omega that of the hammer."""
+    path = write_map(tmp_path / "a.h5", CELLS, fields={name: np.array([[-2.0, 1.0], [np.nan, 0.0], [np.nan, 2.0]])})
+    ratio, si = f"{ratio} at forcing phase 0", f"{si} at forcing phase 0 ({unit})"
+    with PeterkaFile(path) as file:
+        for units, labels, top in (("both", [ratio, si], 2), ("ratio", [ratio], 2), ("si", [si], 2 * factor)):
+            ax = number_map.draw(file, name=name, units=units)
+            bar = ax.figure.axes[1]
+            assert [bar.get_xlabel(), *(scale.get_xlabel() for scale in bar.child_axes)] == labels
+            assert bar.get_xlim()[1] == pytest.approx(top)
+            told = f"{2 * factor:.3g} {unit}" if units == "si" else "2"
+            assert any(text.get_text().startswith(f"max {told}") for text in ax.texts)
+            if units == "both":
+                bar.figure.canvas.draw()
+                assert bar.child_axes[0].get_xlim()[1] == pytest.approx(2 * factor)
+
+
+def test_an_orbit_without_the_rig_is_in_ratios(tmp_path):
+    path = write_map(tmp_path / "a.h5", CELLS, fields={"orbit_velocity": np.ones((3, 2))}, cart_amplitude_m=np.nan)
+    with PeterkaFile(path) as file:
+        assert number_map.draw(file, name="orbit_velocity", units="si").figure.axes[1].get_xlabel().startswith(r"$\dot{u}/(A_0")
+
+
 @pytest.mark.parametrize("name", PURE_NUMBERS)
 def test_each_has_a_picture_where_the_file_has_it(tmp_path, name):
     assert set(number_map.NUMBERS) == set(PURE_NUMBERS)

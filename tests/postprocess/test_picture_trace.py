@@ -27,6 +27,13 @@ def texts(figure):
     return [text.get_text() for ax in figure.axes for text in ax.texts]
 
 
+@pytest.mark.parametrize("units, place", [("both", "9 Hz (Ω/ω = 2), gap 0.222 mm"), ("si", "9 Hz, gap 0.222 mm"),
+                                          ("ratio", "Ω/ω = 2, gap/A₀ = 0.25")])
+def test_the_title_has_the_units_of_the_picture(tmp_path, units, place):
+    with TraceFile(write_trace(tmp_path / "a.h5", gap_ratio=0.25)) as file:
+        assert place in figure_of(motion.draw(file, units=units))._suptitle.get_text().split("\n")
+
+
 def test_a_trace_gives_six_pictures(tmp_path, draw):
     outcome = draw(write_trace(tmp_path / "strike.h5"), "--formats", "png")
     assert outcome.code == 0, outcome.stderr

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from curves_samples import write_curves
 from peterka.errors import PeterkaFileError
+from peterka.plotting import style
 from peterka.plotting.figures import figure_of
 from peterka.maps.curves_map import COLOURS
 from peterka.sweeps import bifurcation, borders, response, unstable
@@ -49,6 +50,13 @@ def test_borders_are_listed_in_hertz_to_nine_digits_and_millimetres(files):
         lines = borders.table(sweep, borders.read_borders(files[1], sweep))
     assert [line.split(maxsplit=3) for line in lines[1:]] == [
         ["6.165", "1.335", "1/1", "period doubling"], ["6.885", "1.335", "0/1", "grazing"], ["7.92555556", "1.335", "1/1", "fold"]]
+
+
+def test_borders_are_listed_in_millimetres_where_pictures_are_in_si_alone(files):
+    with SweepFile(files[0]) as sweep, style.using(units="si"):
+        lines = borders.table(sweep, borders.read_borders(files[1], sweep))
+    assert "gap [mm]" in lines[0] and "A0" not in lines[0]
+    assert [line.split()[1] for line in lines[1:]] == ["1.335"] * 3
 
 
 def test_draw_tells_and_draws_them(files, tmp_path, run_program):

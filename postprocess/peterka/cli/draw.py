@@ -19,7 +19,8 @@ other axes _columns and _rows). The points of --measured lie over these three, a
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
 STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
-A p/q has the same colour in every picture; what is rarer than all that a legend names is "other p/q". Every two colours of
+A p/q has the same colour in every picture; what is rarer than all that a legend names is "other p/q". But for the fourteen
+commonest, several p/q share one of eight colours: no legend names two of them, but those of two pictures may. Every two colours of
 the palette stay apart for protanopes, deuteranopes and tritanopes, too, as simulated (smallest CIEDE2000 difference 8.1; 12.7
 for normal sight).
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.

@@ -14,7 +14,7 @@ from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX, classify
 from ..plotting.picture import picture
-from .field_map import scale_colours
+from .field_map import scale_colours, without_value
 from .map_file import KICKS, PeterkaFile
 from .reduce import LIMIT, block_size, class_picture, orbit_picture, with_edges
 
@@ -32,6 +32,7 @@ _COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # r
 LACKING_COLOUR = "#F7C6D0"
 NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # outcome of a kick in a cell
 KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
+KIND_HATCHES = ["++", "", "", "\\\\", ""]  # in the grey palette
 
 
 @picture(PeterkaFile)
@@ -93,9 +94,10 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     tried = f"{least} m/s" if least == most else f"{least}–{most} m/s"
     texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone known, no kick up to {tried}",
              NONE_FOUND: f"no kick found up to {tried}", WAITING: "not computed yet"}
-    handles = [axes.legend_patch(text, KIND_COLOURS[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
+    looks = [without_value(*look) for look in zip(KIND_COLOURS, KIND_HATCHES)]
+    handles = [axes.legend_patch(text, looks[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
-    axes.show_classes(ax, classes, KIND_COLOURS, WAITING)
+    axes.show_classes(ax, classes, looks, WAITING)
     whose = "likeliest orbit" if file.slots else "orbit"
     return _with_scale(figure, ax, bar_ax, file, reduced, f"critical kick of the {whose}, at its worst phase (m/s)", top)
 

@@ -10,6 +10,7 @@ from matplotlib.lines import Line2D
 
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX
+from ..plotting.picture import picture
 from .curves_file import CurvesFile
 from .peterka_map import WIDTH, legend_entries
 from .reduce import orbit_picture
@@ -32,11 +33,13 @@ TOGETHER = 0.05  # of the picture: special points that share their letters
 ASIDE = 0.028  # of the picture, between a point and its letters
 
 
+@picture(CurvesFile)
 def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The curves alone; None without any."""
     return _draw(file, ax, over_map=False) if file.curves else None
 
 
+@picture(CurvesFile)
 def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The curves over the coarse map."""
     return _draw(file, ax, over_map=True) if file.curves else None

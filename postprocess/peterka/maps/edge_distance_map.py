@@ -10,7 +10,7 @@ from ..plotting import axes, style
 from ..plotting.coordinates import label
 from ..plotting.picture import picture
 from .curves_file import EDGE_KINDS, CurvesFile
-from .field_map import scale_colours
+from .field_map import scale_colours, without_value
 from .reduce import LIMIT, block_size, class_picture, with_edges
 
 WIDTH = 3.7  # in
@@ -21,9 +21,10 @@ SIDES = {
     "gap_ratio": ("gap", "gap/A_0", "mm", lambda file: (file.positive("cart_amplitude_m") or 0) * 1000),
 }
 PICTURES = {**{f"edge_distance_{word}": side for side, (word, *_) in SIDES.items()},
-            "edge_distance_columns": "columns", "edge_distance_rows": "rows"}  # "columns" and "rows" for axes not in SIDES
-CLASSES = [("an edge within the window", "#FFFFFF"), ("no edge within the window", "#CDE7C9"),
-           ("could not be followed to one", "#F7C6D0"), ("chaotic, unresolved, or beyond max_period", "#F2F2F2")]
+            "edge_distance_columns": "columns", "edge_distance_rows": "rows"}  # the latter of axes that are none of SIDES
+# What is told of a cell, its colour, and its hatching in the grey palette.
+CLASSES = [("an edge within the window", "#FFFFFF", ""), ("no edge within the window", "#CDE7C9", "//"),
+           ("could not be followed to one", "#F7C6D0", "++"), ("chaotic, unresolved, or beyond max_period", "#F2F2F2", "\\\\")]
 
 
 @picture(CurvesFile)
@@ -36,9 +37,10 @@ def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
         return None
     factor, words = _scale(file, side)
     classes, counts = class_picture(file, ["regime", f"edge_kind_{axis.stored}"], lambda _, kind: _class_of(kind), len(CLASSES))
-    handles = [axes.legend_patch(text, colour) for (text, colour), count in list(zip(CLASSES, counts))[1:] if count]
+    looks = [without_value(colour, hatch) for _, colour, hatch in CLASSES]
+    handles = [axes.legend_patch(text, look) for (text, *_), look, count in list(zip(CLASSES, looks, counts))[1:] if count]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
-    axes.show_classes(ax, classes, [colour for _, colour in CLASSES], len(CLASSES))
+    axes.show_classes(ax, classes, looks, len(CLASSES))
     shown = np.ma.masked_invalid(reduced.image) * (factor or 1)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, shown, cmap=scale_colours(), vmin=0,
                          vmax=float(np.percentile(shown.compressed(), TOP)) or 1, rasterized=True)

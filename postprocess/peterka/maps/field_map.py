@@ -30,7 +30,7 @@ NO_VALUE_COLOUR = "#F7C6D0"  # cells whose value is missing, e.g. no contact for
 LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of strongly stable orbits are very negative
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
 GREY_SCALE = (95, 8)  # lightness of the smallest and the largest value in the grey palette
-# Areas without a value are hatched in it: the scale uses all lightnesses.
+# Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
 GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
 WITHOUT_IMPACTS = ("no impact", "sustained contact", "unresolved", "failed")
 
@@ -91,16 +91,22 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
 
 def _colours_beneath(carried, apart):
     own = {entry.label: _apart_colour(entry) for entry in CLASSES if entry.label in apart}
-    return [own.get(entry.label, _no_value_colour() if carries else OTHER_COLOUR)
+    return [own.get(entry.label, _no_value_colour() if carries else without_value(OTHER_COLOUR))
             for entry, carries in zip(CLASSES, carried)]
 
 
 def _apart_colour(entry):
-    return Fill(grey(100), GREY_APART[entry.label]) if style.is_grey() else entry.colour
+    return without_value(entry.colour, GREY_APART[entry.label])
 
 
 def _no_value_colour():
-    return Fill(grey(100), "++") if style.is_grey() else NO_VALUE_COLOUR
+    return without_value(NO_VALUE_COLOUR, "++")
+
+
+def without_value(colour: str, hatch: str = "") -> str | Fill:
+    """The look of cells without a value beside a scale of values: a colour that the scale hasn't, in grey white, which it hasn't
+    either, under a hatching where there are several."""
+    return Fill(grey(100), hatch) if style.is_grey() else colour
 
 
 def _legend_entries(counts, carried, apart, lacking):
@@ -108,7 +114,7 @@ def _legend_entries(counts, carried, apart, lacking):
     found = [(entry, carries) for entry, carries, count in zip(CLASSES, carried, counts) if count]
     entries = [axes.legend_patch(entry.label, _apart_colour(entry)) for entry, _ in found if entry.label in apart]
     if not apart and any(not carries and entry.label != "not computed yet" for entry, carries in found):
-        entries.append(axes.legend_patch("any other regime", OTHER_COLOUR))
+        entries.append(axes.legend_patch("any other regime", without_value(OTHER_COLOUR)))
     if lacking:
         entries.append(axes.legend_patch("no value", _no_value_colour()))
     if counts[INDEX["not computed yet"]]:

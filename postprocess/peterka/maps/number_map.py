@@ -1,4 +1,4 @@
-"""Dimensionless numbers over the plane of a map: stability of the motion, position of its orbit, and forces of each cycle.
+"""Numbers that are stored without a unit over the plane of a map: how stable the motion is, where its orbit is, and forces of each cycle.
 
 Multipliers and stroboscopic points exist for orbits, Lyapunov exponents and error growths for every motion that was
 followed; forces of each cycle are drawn where impacts continue. In chaos the overall largest force grows with the
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from matplotlib.axes import Axes
 
+from ..files.coordinates import unit_of
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import style, units
 from ..plotting.picture import picture
@@ -28,14 +29,16 @@ def _followed(regime, *_):
 
 @dataclass(frozen=True)
 class Number:
-    """The field's name on its scale, the cells that carry it, the distinguished classes, whether its scale begins at 0, and
-    whether it is a force over the hammer's weight."""
+    """What a field is called on its scale, the cells that have it, the classes told apart from those, whether its scale
+    begins at 0, and whether it is a force over the hammer's weight; of a coordinate its name, what it
+    is called in SI units, and such a unit with how many of it make 1 m or 1 m/s."""
 
     label: str
     carries: Callable
     apart: tuple[str, ...]
     from_zero: bool = True
     is_force: bool = False
+    in_si: tuple[str, str, str, float] | None = None
 
 
 NOT_AN_ORBIT = ("chaotic", "unresolved", "failed")
@@ -43,8 +46,10 @@ NUMBERS = {
     "multiplier": Number(r"largest Floquet multiplier $|\mu|$", _orbits, NOT_AN_ORBIT),
     "lyapunov": Number("largest Lyapunov exponent (1/cycle)", _followed, ("failed",), from_zero=False),
     "sensitivity": Number("largest growth of an error, ln $G$", _followed, ("failed",)),
-    "orbit_displacement": Number("$u/A_0$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
-    "orbit_velocity": Number(r"$\dot{u}/(A_0\omega)$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
+    "orbit_displacement": Number("$u/A_0$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False,
+                                 in_si=("displacement_ratio", "$u$ at forcing phase 0", "mm", 1000)),
+    "orbit_velocity": Number(r"$\dot{u}/(A_0\omega)$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False,
+                             in_si=("velocity_ratio", r"$\dot{u}$ at forcing phase 0", "m/s", 1)),
     "peak_force_mean_ratio": Number("mean of each cycle's", field_map.has_impacts, WITHOUT_IMPACTS, is_force=True),
     "peak_force_q95_ratio": Number("95 % quantile of each cycle's", field_map.has_impacts, WITHOUT_IMPACTS, is_force=True),
 }
@@ -59,12 +64,24 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
 
 
 def _scale(file, number, largest):
+    in_si = style.current().units == "si"
+    if number.in_si:
+        return _scale_of_coordinate(file, number, in_si)
     if not number.is_force:
         return Scale(number.label, 1, units.number)
     label = f"{number.label} largest force, $F/(m\\,g)$"
     if not file.newtons:
         return Scale(label, 1, units.number)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
-    in_si = style.current().units == "si"
     return Scale(label, 1, (lambda force: units.amount(force * file.newtons, "N")) if in_si else units.number,
                  (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", file.newtons * factor))
+
+
+def _scale_of_coordinate(file, number, in_si):
+    name, words, unit, factor = number.in_si
+    own = unit_of(file, name)
+    if own is None:
+        return Scale(number.label, 1, units.number)
+    factor *= own
+    text = (lambda value: f"{units.number(factor * value)} {unit}") if in_si else units.number
+    return Scale(number.label, 1, text, (f"{words} ({unit})", factor))

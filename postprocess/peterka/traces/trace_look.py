@@ -54,11 +54,13 @@ def grid(ax: Axes) -> None:
 
 
 def place(file: TraceFile) -> str:
-    """The operating point of the trace, for a title."""
-    hertz, gap = file.excitation_hz, file.number("gap_ratio")
-    parts = [f"{hertz:.4g} Hz (Ω/ω = {file.number('frequency_ratio'):.4g})" if hertz else "cart at rest"]
+    """Where in the plane the trace is, for a title."""
+    hertz, gap, shown = file.excitation_hz, file.number("gap_ratio"), style.current().units
+    ratio = f"Ω/ω = {file.number('frequency_ratio'):.4g}" if hertz else ""
+    in_hertz = f"{hertz:.4g} Hz" if hertz else ""
+    parts = [{"si": in_hertz, "ratio": ratio}.get(shown, f"{in_hertz} ({ratio})") if hertz else "cart at rest"]
     if gap is not None:
-        parts.append(f"gap {gap * file.millimetres:.3g} mm" if file.millimetres else f"gap/A₀ = {gap:.4g}")
+        parts.append(f"gap {gap * file.millimetres:.3g} mm" if file.millimetres and shown != "ratio" else f"gap/A₀ = {gap:.4g}")
     return ", ".join(parts)
 
 
