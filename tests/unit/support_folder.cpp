@@ -12,7 +12,7 @@ namespace peterka {
 namespace {
 
 TEST(Folder, NamesAllEntriesButItselfAndTheOneAbove) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "peterka_folder";
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "peterka_folder";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "inner");
     for (const char* name : {"a.toml", ".hidden", "a name with spaces"}) std::ofstream(folder / name).flush();
