@@ -33,7 +33,12 @@ class NoEngine(Exception):
 
 
 def module(cache: Path | None = None) -> bytes:
-    """The bytes of the module, from the cache (default: build/page beside src) where it is built already."""
+    """The bytes of the module, built into the cache (default: build/page beside src) if it is not there. Raises NoEngine."""
+    return path(cache).read_bytes()
+
+
+def path(cache: Path | None = None) -> Path:
+    """The file of the module: in the cache, or, without sources, where it was installed. Raises NoEngine."""
     if not SCRIPT.is_file():
         if installed := _installed():
             return installed
