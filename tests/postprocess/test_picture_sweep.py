@@ -150,6 +150,17 @@ def test_bifurcation_diagrams_show_every_sample(tmp_path):
     assert legend_texts(figure)[:2] == ["frequency rising", "frequency falling"]
 
 
+@pytest.mark.parametrize("change, marked", [(1e-9, False), (1e-4, True)])
+def test_no_point_is_the_strongest_where_rounding_decides(tmp_path, change, marked):
+    path = write_sweep(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        force = file["peak_force_ratio"]
+        force[:2] = 40 * (1 + change * np.cos(np.arange(force.shape[1])))
+    with SweepFile(path) as file:
+        assert [branch.strongest_single() is not None for branch in file.at_gap(0.0)] == [marked, marked]
+        assert all(branch.strongest_single() is not None for branch in file.at_gap(1.5))
+
+
 @pytest.mark.parametrize("change, magnified", [(1e-9, False), (1e-4, True)])
 def test_a_bifurcation_diagram_does_not_magnify_rounding(tmp_path, change, magnified):
     path = write_sweep(tmp_path / "a.h5")

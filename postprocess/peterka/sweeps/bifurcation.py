@@ -12,7 +12,7 @@ from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
-from .sweep_file import SweepFile
+from .sweep_file import LEAST_CHANGE, SweepFile
 from .sweep_panels import LOOKS, direction_words
 from .unstable import NO_UNSTABLE, draw_unstable
 from .unstable import at_gap as unstable_at_gap
@@ -22,7 +22,6 @@ WHERE = {
     "stroboscopic_displacement": ("$x/A_0$ at phase 0", "x at phase 0 (mm)"),
     "impact_displacement": ("$x/A_0$ at first touch", "x at first touch (mm)"),
 }
-LEAST_CHANGE = 1e-6  # of the largest displacement: rounding may change a verified motion by 5e-8
 # The falling branch is drawn below in larger, paler dots: where both agree, a dark dot has a pale ring.
 DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 2),
         "independent": (LOOKS["independent"].colour, 0.9, 3)}

@@ -28,6 +28,7 @@ SAMPLED = ("stroboscopic_displacement", "impact_displacement")
 OF_ATTRACTORS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
                  "attractor_peak_force_ratio": REAL, "basin_share": REAL}
 MAX_SLOTS = 64
+LEAST_CHANGE = 1e-6  # of the largest value: smaller changes may be rounding, which changes a verified motion by up to 5e-8
 WITHOUT_PERIOD = (CHAOTIC, UNRESOLVED)
 _GAPS = ("gap_ratio", "gap_m")
 
@@ -58,9 +59,12 @@ class Branch:
         return [(int(before[i]), int(after[i])) for i in order]
 
     def strongest_single(self) -> int | None:
-        """Index of the largest force among z = 1/1; None if no point has one."""
+        """Index of the largest force among z = 1/1; None if no point has one, or if rounding alone decides which is the largest."""
         single = self._single()
-        return int(np.argmax(np.where(single, self.force, -1.0))) if single.any() else None
+        forces = self.force[single]
+        if not single.any() or (len(forces) > 1 and np.ptp(forces) < LEAST_CHANGE * forces.max()):
+            return None
+        return int(np.argmax(np.where(single, self.force, -1.0)))
 
     def is_resonance(self, at: int) -> bool:
         """Whether the largest force is a maximum inside its band of z = 1/1; otherwise it may be cut off by a jump, by
