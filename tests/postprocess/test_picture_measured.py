@@ -49,8 +49,8 @@ def test_points_of_one_gap_need_none(tmp_path):
 def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
     found = points(tmp_path, "natural_frequency_hz,gap_ratio,frequency_ratio\n4.5,0,2\n5.25,0,2\n4.5,3.37,2\n")
     assert len(found.points) == 1
-    assert "1 points of rigs with another natural frequency" in found.left_out[0]
-    assert "1 points at gap 2.999 mm are left out" in found.left_out[1]
+    assert "1 point of rigs with another natural frequency" in found.left_out[0]
+    assert "1 point at gap 2.999 mm is left out" in found.left_out[1]
 
 
 def test_points_outside_the_frequencies_of_a_sweep_are_left_out_and_told(tmp_path):
@@ -158,7 +158,7 @@ def test_a_map_is_told_beside_each_force(tmp_path, draw):
     points_of_map(tmp_path, SERIES + "99;0;9;;;rising;\n9;1,78;1300;;;rising;\n")
     outcome = draw(tmp_path / "m.h5", "--measured", tmp_path / "points.csv", "--formats", "png", "--only", "map")
     assert outcome.code == 0, outcome.stderr
-    assert "1 points outside the map are left out" in outcome.stdout
+    assert "1 point outside the map is left out" in outcome.stdout
     rows = [re.split(r"  +", line.strip()) for line in outcome.stdout.splitlines()]
     # the sample's forces are 10 + row + column/10; 9 Hz, 0.89 mm is row 1, column 1: 11.1 weights
     force = 11.1 * WEIGHT

@@ -97,15 +97,22 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
                 points.append(replace(point, gap=gap))
                 if gap is not None and abs(point.gap - gap) > SAME_PLACE:
                     moved.setdefault(gap, []).append(abs(point.gap - gap))
-    left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
+    left_out = [_left_out(path, other_rigs, "of rigs with another natural frequency")] * (other_rigs > 0)
     where = "map" if file.kind == "map" else "frequencies of the sweep"
-    left_out += [f"{path}: {outside} points outside the {where} are left out"] * (outside > 0)
-    left_out += [f"{path}: {len(distances)} points stand at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
+    left_out += [_left_out(path, outside, f"outside the {where}")] * (outside > 0)
+    left_out += [f"{path}: {_points(len(distances), 'stands', 'stand')} at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
                  for gap, distances in moved.items()]
     if other_gaps:
-        left_out.append(f"{path}: {len(other_gaps)} points at {', '.join(dict.fromkeys(other_gaps))} are left out;"
-                        " the sweep has no such gap")
+        left_out.append(_left_out(path, len(other_gaps), f"at {', '.join(dict.fromkeys(other_gaps))}") + "; the sweep has no such gap")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
+
+
+def _left_out(path, count, which):
+    return f"{path}: {_points(count, f'{which} is', f'{which} are')} left out"
+
+
+def _points(count, of_one, of_many):
+    return f"1 point {of_one}" if count == 1 else f"{count} points {of_many}"
 
 
 def lies_between(values: Reals, x: float) -> bool:
