@@ -11,7 +11,8 @@ def test_a_folder_may_have_a_space_in_its_name(tmp_path):
     source = tmp_path / "two words"
     source.mkdir()
     shutil.copy(ROOT / "CMakeLists.txt", source)
-    shutil.copytree(ROOT / "src", source / "src")
+    for folder in ("src", "jobs", "postprocess"):
+        shutil.copytree(ROOT / folder, source / folder)
     configured = subprocess.run(["cmake", "-S", ".", "-B", "a build", "-G", "Ninja", "-DBUILD_TESTING=OFF"], cwd=source,
                                 capture_output=True, text=True)
     assert configured.returncode == 0, configured.stderr
