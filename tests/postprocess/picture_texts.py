@@ -43,3 +43,12 @@ def faults_of_layout(figure, monkeypatch):
         if min(width, height) > SLACK:
             faults.append(f"{first!r} and {second!r} overlap by {width:.0f} x {height:.0f} pixels")
     return faults
+
+
+def has_scales(ax):
+    """Whether a plane of frequencies and gaps is labelled in ratios, and in Hz and mm, on its own axes or on second scales."""
+    named = {label for each in (ax, *ax.child_axes) for label in (each.get_xlabel(), each.get_ylabel()) if label}
+    ratios, si = {r"$\Omega/\omega$", r"$\mathrm{gap}/A_0$"}, {"excitation frequency (Hz)", "gap (mm)"}
+    assert named <= ratios | si, named
+    assert named & ratios in (set(), ratios) and named & si in (set(), si), named
+    return bool(named & ratios), bool(named & si)

@@ -18,6 +18,7 @@ from peterka.operating.drift import reach, worst_of_boxes
 from peterka.operating.places import Place, best_places
 from peterka.plotting.notes import write_beside
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
+from picture_texts import has_scales
 from sealing import seal_file
 from starts_samples import EMPTY, add_starts
 
@@ -274,13 +275,6 @@ def test_units_are_those_asked_for(tmp_path, run_program, monkeypatch, units, he
     code, out, err = run_program("operating_point", path, "--hz", 0, "--mm", 0, "--units", units)
     assert (code, err) == (0, "") and f"z  {heads}  worst" in out and f"best: {best}, z = 1/1" in out
     assert has_scales(drawn[0].axes[0]) == (below, above)
-
-
-def has_scales(ax):
-    """Whether there are ratios, and Hz and mm."""
-    in_si = [scale.get_xlabel() or scale.get_ylabel() for scale in ax.child_axes]
-    assert in_si in ([], ["excitation frequency (Hz)", "gap (mm)"])
-    return ax.xaxis.get_visible() and ax.yaxis.get_visible(), bool(in_si)
 
 
 def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
