@@ -14,12 +14,12 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..errors import PeterkaFileError
-from ..files.coordinates import unit_of
+from ..files.coordinates import coordinate
 from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import RIG, SAME_GAP, WORDS, CurvesFile
 from ..maps.curves_map import COLOURS, LOOKS
-from ..plotting import style
+from ..plotting.coordinates import spoken
 from .sweep_file import SweepFile
 
 
@@ -78,12 +78,11 @@ def draw_borders(ax: Axes, borders: Sequence[Border]) -> None:
 
 
 def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
-    """Lines; in Hz where the file tells the rig, and in SI alone in mm, too."""
-    hertz = unit_of(sweep, "frequency_ratio")
-    metres = unit_of(sweep, "gap_ratio") if style.current().units == "si" else None
-    rows = [("frequency [Hz]" if hertz else "Omega/omega", "gap [mm]" if metres else "gap/A0", "z", "border")]
-    rows += [(f"{border.frequency_ratio * (hertz or 1):.9g}", f"{border.gap * (1000 * metres if metres else 1):.6g}",
-              f"{border.impacts}/{border.period}",
+    """Lines; in Hz and mm where the file tells the rig and units are not to be ratios alone."""
+    scales = [(spoken(sweep, name), words) for name, words in ((sweep.axis_name, "Omega/omega"), (sweep.gap_name, "gap/A0"))]
+    rows = [(*(f"{unit.what} [{unit.unit}]" if unit else words for unit, words in scales), "z", "border")]
+    across, up = (unit.factor if unit else 1.0 for unit, _ in scales)
+    rows += [(f"{border.frequency_ratio * across:.9g}", f"{border.gap * up:.6g}", f"{border.impacts}/{border.period}",
               WORDS[border.kind]) for border in borders]
     widths = [max(map(len, column)) for column in zip(*rows)]
     return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
