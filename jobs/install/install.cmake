@@ -26,11 +26,13 @@ install(FILES jobs/slurm/map.sbatch DESTINATION ${CMAKE_INSTALL_DATADIR}/peterka
 install(FILES jobs/mpi_environment.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/peterka)
 install(FILES jobs/install/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME peterka)
 
-add_custom_command(OUTPUT ${made}/peterka.1
-    COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/jobs/install/manual.py $<TARGET_FILE:peterka> ${made}/peterka.1
-    DEPENDS peterka jobs/install/manual.py)
-add_custom_target(peterka_manual ALL DEPENDS ${made}/peterka.1)
-install(FILES ${made}/peterka.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+if(NOT CMAKE_CROSSCOMPILING)  # the manual is what the program tells with --help
+    add_custom_command(OUTPUT ${made}/peterka.1
+        COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/jobs/install/manual.py $<TARGET_FILE:peterka> ${made}/peterka.1
+        DEPENDS peterka jobs/install/manual.py)
+    add_custom_target(peterka_manual ALL DEPENDS ${made}/peterka.1)
+    install(FILES ${made}/peterka.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
 
 install(CODE "set(engines \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/peterka/page\")
 set(sources \"${CMAKE_SOURCE_DIR}\")
