@@ -24,6 +24,11 @@ namespace peterka::map_file {
 
 namespace {
 
+// Attractors stored for each cell.
+std::int64_t kept_of(const job::Starts& starts) {
+    return starts.count > 0 ? starts.attractors : 0;
+}
+
 std::string in_lines(std::span<const std::string> sentences) {
     std::string text;
     for (const std::string& sentence : sentences) text += sentence + "\n";
@@ -84,7 +89,7 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const attractors:
     }
     tiles_.write(tile, stored, {seconds, rank_},
                  encode(quantities::stored_attractor_fields(job_),
-                        stored_attractors(cells, job_.starts.attractors, scales)));
+                        stored_attractors(cells, kept_of(job_.starts), scales)));
 }
 
 void MapFile::write_branches(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
@@ -100,7 +105,7 @@ void MapFile::write_branches(const parallel::Tile& tile, std::span<const regime:
         cells[static_cast<std::size_t>(i)].attractors = attractors[static_cast<std::size_t>(column)].kept;
     }
     std::vector<std::byte> several = encode(quantities::stored_attractor_fields(job_),
-                                            stored_attractors(cells, job_.starts.attractors, scales));
+                                            stored_attractors(cells, kept_of(job_.starts), scales));
     const auto append = [&](std::span<const std::byte> bytes) {
         several.insert(several.end(), bytes.begin(), bytes.end());
     };
