@@ -10,7 +10,7 @@ MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::Attracto
       searches_many_(scene.job().starts.count > 0 || scene.job().output.has(job::OptionalField::critical_kick)),
       take_(std::move(take)),
       pool_(
-          scene, known, [this](auto search) { keep(std::move(search)); },
+          scene, known, [this](auto& search) { keep(search); },
           searches_many_ ? regime::SearchPool::Attractors::reported : regime::SearchPool::Attractors::dropped) {
 }
 
@@ -55,7 +55,7 @@ void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
     }
 }
 
-void MultiStartPool::keep(regime::SearchPool::NumberedOutcome search) {
+void MultiStartPool::keep(regime::SearchPool::NumberedOutcome& search) {
     if (!searches_many_) return take_({search.number, {search.outcome.result, {}}, search.seconds});
     const auto where = searches_.find(search.number);
     const auto [number, place] = where->second;

@@ -55,7 +55,7 @@ class MultiStartPool {
     };
 
     void begin_searches(std::int64_t number, Open& cell);
-    void keep(regime::SearchPool::NumberedOutcome search);
+    void keep(regime::SearchPool::NumberedOutcome& search);
     void fill_pool();
 
     MapContext context_;

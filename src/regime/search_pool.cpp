@@ -101,9 +101,10 @@ bool SearchPool::has_room() const {
 void SearchPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     const scene::Cell place = scene_.cell(row, column);
     // this takes less time than reading the clock
-    if (const auto result = free_.told_by_another(place)) return take_({number, {.result = *result}, 0});
+    if (const auto result = free_.told_by_another(place)) return hand_over({number, {.result = *result}, 0});
     const Stopwatch stopwatch;
-    if (const auto result = free_.find(place)) return take_({number, {.result = *result}, stopwatch.seconds()});
+    if (const auto result = free_.find(place))
+        return hand_over({number, {.result = *result}, stopwatch.seconds()});
     add(
         [&](CycleBroker& broker) {
             const SearchContext context{.known = &known_};
@@ -231,7 +232,7 @@ void SearchPool::serve_alone() {
 
 void SearchPool::finish(const Member& member) {
     --in_hand_;
-    take_({member.number, member.search.result(), member.seconds});
+    hand_over({member.number, member.search.result(), member.seconds});
 }
 
 }  // namespace peterka::regime

@@ -32,7 +32,8 @@ class SearchPool {
         SearchOutcome outcome;
         double seconds;
     };
-    using Take = std::function<void(NumberedOutcome)>;
+    // May move the outcome away.
+    using Take = std::function<void(NumberedOutcome& solved)>;
 
     // Attractors found by the searches on the way.
     enum class Attractors { dropped, reported };
@@ -73,6 +74,7 @@ class SearchPool {
     void serve(Group& group, std::size_t slot);
     void serve_alone();
     std::unique_ptr<Member> leave(Group& group, std::size_t slot);
+    void hand_over(NumberedOutcome solved) { take_(solved); }
     void finish(const Member& member);
 
     const scene::Scene& scene_;
