@@ -130,7 +130,7 @@ struct Start {
     friend bool operator==(const Start&, const Start&) = default;
 };
 
-// Of a map: more starts in each cell, the same in all, spread evenly over a rectangle; and what of the
+// In a map or sweep: more starts in each cell, the same in all, spread evenly over a rectangle; and what of the
 // attractors that they end on is kept.
 struct Starts {
     std::int64_t count = 0;                            // besides [start]; 0: none
@@ -286,7 +286,7 @@ struct Job {
     Audit audit;
     Certificate certificate;  // map, basin and sweep
     Refine refine;            // map only
-    Starts starts;            // map only
+    Starts starts;            // map or sweep
     Sweep sweep;              // sweep only
     Study study;              // study only
     Trace trace;              // trace only

@@ -85,7 +85,7 @@ class StroboscopicMap {
     }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
-    // co_await map.cycle(from) gives the Passage of one cycle.
+    // co_await map.cycle(from) gives the CycleResult of one cycle.
     [[nodiscard]] auto cycle(const Point& from, Recorder<double>* recorder = nullptr) {
         struct Single : Several {
             [[nodiscard]] CycleResult await_resume() const {

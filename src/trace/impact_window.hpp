@@ -10,7 +10,7 @@
 
 namespace peterka::trace {
 
-// Times `step` apart; touch is the one with the index `touch`, where the force has jumped.
+// Times `step` apart; touch is the one with the index `before`, where the force has jumped.
 struct WindowPlan {
     std::size_t impact = 0;  // which one of the trace
     double touch_time = 0;   // tau since the trace began
