@@ -88,7 +88,7 @@ class Motion {
         return sum / Extended(cycles);
     }
 
-    // No contact for the last half of the run, in whose second half the motion went no further than in its
+    // No contact for the last half of the run, in whose last window the motion went no further than in the
     // first.
     [[nodiscard]] bool never_touches_again() const {
         return untouched_ > total_ / 2 && reach_.back() <= Extended(1.001) * reach_.front();
