@@ -34,6 +34,32 @@ std::vector<std::string> remarks_on(const std::string& text) {
     return remarks(read_job_text(text, "job"));
 }
 
+std::string basin_from(const std::string& start_m) {
+    return "kind = \"basin\"\ntitle = \"t\"\n" + rig("0.4e-3") +
+           "[operating_point]\nfrequency_hz = 40\ngap_m = 0.6e-3\n[axes.displacement_m]\nfrom = " + start_m +
+           "\nto = 0\npoints = 3\n[axes.velocity_m_per_s]\nfrom = -1\nto = 1\npoints = 3\n";
+}
+
+std::string sweep_at(const std::string& gap_m) {
+    return "kind = \"sweep\"\ntitle = \"t\"\n" + rig("0.4e-3") +
+           "[axes.frequency_hz]\nfrom = 15\nto = 90\npoints = 3\n[sweep]\ngap_m = [0, " + gap_m + "]\n";
+}
+
+TEST(Remarks, OnBasinsSweepsAndTheStartsOfAMap) {
+    EXPECT_TRUE(remarks_on(basin_from("-1e-3")).empty());
+    EXPECT_EQ(remarks_on(basin_from("-1.0")).size(), 1U);
+    EXPECT_TRUE(remarks_on(sweep_at("0.6e-3")).empty());
+    EXPECT_EQ(remarks_on(sweep_at("0.6")).size(), 1U);
+    const std::string starts = "[starts]\ncount = 4\ndisplacement_m = ";
+    EXPECT_TRUE(remarks_on(map_to("1.5e-3") + starts + "[-1e-3, 0]\n").empty());
+    EXPECT_EQ(remarks_on(map_to("1.5e-3") + starts + "[-1, 0]\n").size(), 1U);
+}
+
+TEST(Remarks, AnAmplitudeOfADecimetreIsTheLeast) {
+    EXPECT_TRUE(remarks_on(map_to("1.5e-3", "0.0999")).empty());
+    EXPECT_EQ(remarks_on(map_to("1.5e-3", "0.1")).size(), 1U);
+}
+
 TEST(Remarks, NoneOnMillimetresGivenAsSuch) {
     EXPECT_TRUE(remarks_on(map_to("1.5e-3")).empty());
     EXPECT_TRUE(remarks_on(map_to("0.04")).empty());  // a hundred amplitudes

@@ -18,7 +18,6 @@ FORMATS = ("png", "pdf", "svg")
 DEFAULT_FORMATS = "png,pdf"
 DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
 LONGEST_COMPLAINT = 2000  # letters
-PROGRAM = re.compile(r"\b(claims|compare|draw|explore|export|identify|operating_point|results|scaling)\.py\b")
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -39,6 +38,12 @@ class OneLineParser(argparse.ArgumentParser):
         """Ends the program."""
         super().exit(exit_code(status), message)
 
+    def refuse_equal_stems(self, files: Iterable[Path], outputs: str) -> None:
+        """Ends the program if the outputs of two files would have one name."""
+        stems = [path.stem for path in files]
+        if len(set(stems)) < len(stems):
+            self.error(f"two of the files have the same name, so their {outputs} would overwrite each other")
+
     def add_picture_arguments(self) -> None:
         """Adds --output-dir and --formats."""
         self.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
@@ -46,10 +51,11 @@ class OneLineParser(argparse.ArgumentParser):
 
 
 def _as_installed(text):
-    """`draw.py` in a text is peterka-draw where this is an installed program."""
+    """In a text, `draw.py` becomes peterka-draw if this is an installed program; so does each program of this folder."""
     if text is None or not Path(sys.argv[0]).name.startswith("peterka-"):
         return text
-    return PROGRAM.sub(lambda named: f"peterka-{named[1].replace('_', '-')}", text)
+    programs = "|".join(re.escape(path.stem) for path in Path(__file__).parent.glob("*.py"))
+    return re.sub(rf"\b({programs})\.py\b", lambda named: f"peterka-{named[1].replace('_', '-')}", text)
 
 
 def read_formats(text: str) -> list[str]:

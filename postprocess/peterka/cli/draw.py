@@ -94,9 +94,7 @@ def read_arguments() -> argparse.Namespace:
                         help="marks and lists where the motions of a sweep end or change, from curves with its gaps")
     arguments = parser.parse_args()
     check_style(parser, arguments)
-    stems = [path.stem for path in arguments.files]
-    if len(set(stems)) < len(stems):
-        parser.error("two of the files have the same name, so their pictures would overwrite each other")
+    parser.refuse_equal_stems(arguments.files, "pictures")
     return arguments
 
 

@@ -51,7 +51,5 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--as", dest="formats", metavar="FORMAT,...", type=read_formats, default=["csv"], help="default: csv")
     parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("."), help="default: this folder")
     arguments = parser.parse_args()
-    stems = [path.stem for path in arguments.files]
-    if len(set(stems)) < len(stems):
-        parser.error("two of the files have the same name, so their exports would overwrite each other")
+    parser.refuse_equal_stems(arguments.files, "exports")
     return arguments

@@ -30,7 +30,7 @@ STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
 
 @dataclass(frozen=True)
 class Look:
-    """Look of a direction; its label has a placeholder for the swept coordinate."""
+    """Look of a direction; {axis} in its label stands for the swept coordinate."""
 
     label: str
     colour: str
