@@ -218,3 +218,14 @@ def test_default_output_is_the_jobs_stem_in_the_current_folder(tmp_path):
     jobs.write(tmp_path / "elsewhere", jobs.small_map(), name="my.map.toml")
     assert launch.run("run", "elsewhere/my.map.toml", "--quiet", cwd=tmp_path).returncode == 0
     assert sorted(path.name for path in tmp_path.iterdir()) == ["elsewhere", "my.map.h5"]
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_lengths_that_look_like_millimetres_get_one_word(tmp_path, ranks):
+    jobs.write(tmp_path, jobs.small_map())
+    metres = ("--set", "cart.amplitude_m=0.5")
+    note = "note: the cart's amplitude is 0.5 m: lengths are in metres"
+    assert note.replace("note:", "#   note    ") in launch.run("check", "job.toml", *metres, cwd=tmp_path).stdout
+    assert launch.run("run", "job.toml", *metres, "--fresh", cwd=tmp_path, ranks=ranks).stderr.count(note) == 1
+    assert note not in launch.run("run", "job.toml", *metres, "--fresh", "--quiet", cwd=tmp_path, ranks=ranks).stderr
+    assert "note:" not in launch.run("run", "job.toml", "--fresh", cwd=tmp_path, ranks=ranks).stderr

@@ -225,3 +225,13 @@ def test_check_prices_critical_kicks(tmp_path):
     kicks = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=2", "--set", 'output.fields=["critical_kick"]',
                        cwd=tmp_path)
     assert "1.92e+03 in all, and critical kicks: from 1.1 s to 3 min 45 s of one core" in kicks.stdout, kicks.stdout
+
+
+def test_one_start_has_its_attractor_as_the_only_share(tmp_path):
+    jobs.write(tmp_path, many_starts.small_map())
+    finished = launch.run("run", "job.toml", "--quiet", "--set", "starts.count=1", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "job.h5") as file:
+        share = file["basin_share"][()]
+        assert set(np.unique(share[0])) <= {0.0, 1.0} and share[0].any() and not share[1:].any()
+        assert np.array_equal(share[0] > 0, file["attractor_regime"][0] != -128)
