@@ -2,6 +2,10 @@
 # and rigs to begin with, the manual, completion for bash, and, where src/page/build_wasm.sh can compile it, the page's engine.
 # Everything finds everything by its place: a prefix can be moved. jobs/package.sh makes Debian's package of the same.
 include(GNUInstallDirs)
+# The system's Python has the distribution's modules; another one on the PATH often hasn't.
+if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 set(PETERKA_PYTHON_DIR "lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages" CACHE STRING
     "Where the Python package goes, below the prefix; of ~/.local Python looks there by itself")
