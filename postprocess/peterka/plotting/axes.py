@@ -193,7 +193,7 @@ def _marked(ax, reduced):
     """Mask of the image's cells beneath visible marks."""
     cells = np.zeros(reduced.image.shape, dtype=bool)
     for box in seen.boxes(ax):
-        (left, low), (right, high) = ax.transData.inverted().transform([box.min, box.max])
+        (left, low), (right, high) = ax.transData.inverted().transform(box.reshape(2, 2))
         rows, columns = (slice(max(0, np.searchsorted(edges, first, side="right") - 1), np.searchsorted(edges, last))
                          for edges, first, last in ((reduced.row_edges, low, high), (reduced.column_edges, left, right)))
         cells[rows, columns] = True

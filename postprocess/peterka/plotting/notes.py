@@ -29,7 +29,7 @@ def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
     across, up = ax.transAxes.inverted().transform(ax.transData.transform((x, y)))
     right, above = (1 if across < 0.5 else -1), (1 if up < 0.5 else -1)
     sides = [(right, above), (right, -above), (-right, above), (-right, -above)]
-    taken = [*(_box(other) for other in ax.texts), *seen.boxes(ax)]
+    taken = _taken(ax, seen.boxes(ax))
     note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points",
                        path_effects=outline(2.4), zorder=7)
     for right, above in sides:
@@ -47,8 +47,8 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     pixels = ax.get_figure().dpi / 72
     own = ax.transData.transform((x, y))
     marks = seen.boxes(ax)
-    taken = [*(_box(other) for other in ax.texts), *marks]
-    others = np.array([[(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2] for box in marks]).reshape(-1, 2)
+    taken = _taken(ax, marks)
+    others = (marks[:, :2] + marks[:, 2:]) / 2
     others = others[np.linalg.norm(others - own, axis=1) > AIR]
     note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(2), zorder=8)
     for letters in sorted({size, 6.5, 5}, reverse=True):
@@ -69,10 +69,15 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     return False
 
 
+def _taken(ax, marks):
+    """Boxes of all texts and of these marks, a row [left, bottom, right, top] each."""
+    return np.concatenate([np.reshape([_box(text).extents for text in ax.texts], (-1, 4)), marks])
+
+
 def _fits(box, ax, taken):
     inside = ax.bbox
     within = inside.x0 + AIR <= box.x0 and box.x1 <= inside.x1 - AIR and inside.y0 + AIR <= box.y0 and box.y1 <= inside.y1 - AIR
-    return within and not any(box.overlaps(other) for other in taken)
+    return within and not np.all((taken[:, :2] <= box.max) & (taken[:, 2:] >= box.min), axis=1).any()
 
 
 def _is_nearest(box, own, others):
@@ -109,7 +114,7 @@ def _nearest_free(box, ax, places, taken, own):
     low = start + anchors * [ax.bbox.width, ax.bbox.height] - np.round(2 * anchors) / 2 * size
     high = low + size
     within = np.all((low >= start + AIR) & (high <= [ax.bbox.x1 - AIR, ax.bbox.y1 - AIR]), axis=1)
-    others = np.array([[other.x0, other.y0, other.x1, other.y1] for other in taken]).reshape(-1, 1, 4)
+    others = taken[:, None]
     meets = np.all((low < others[..., 2:]) & (high > others[..., :2]), axis=2).any(axis=0)
     away = np.where(within & ~meets, np.linalg.norm(own - np.clip(own, low, high), axis=1), np.inf)
     return tuple(anchors[np.argmin(away)]) if np.isfinite(away).any() else None
