@@ -74,8 +74,9 @@ ShareBounds narrowed(ShareBounds range, double first, double second, double rema
 // Finds the time from which the force falls that gives the widest range of a/v.
 void set_short_contacts(Rig& rig, const Motion& contact) {
     constexpr std::size_t samples = 512;
-    constexpr double longest =
-        1.25;  // of the unforced contact: half a radian or so, for series and Newton's method
+    // In unforced contact times: beyond about half a radian after the unforced exit, about which the kernel
+    // expands, its series and Newton's method would no longer be accurate.
+    constexpr double longest = 1.25;
     rig.latest_exit = longest * rig.exit_time;
     const double h = rig.latest_exit / samples;
     const auto time = [&](std::size_t n) { return h * static_cast<double>(n); };

@@ -50,8 +50,8 @@ struct Equations {
 // Largest residual of the equations and conditions, relative to 1 + the hammer's largest speed.
 [[nodiscard]] double residual(const OrbitPoint& point, const Equations& equations);
 
-// Newton's method, with the minimum-norm step if there are fewer equations than unknowns. None where it leads
-// nowhere, or further away than one size.
+// Newton's method, with the minimum-norm step if there are fewer equations than unknowns. None if it does not
+// converge to `largest_residual`, if a scaled step is not shorter than 0.5, or if a number is not finite.
 [[nodiscard]] std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoint& window,
                                               const std::vector<Condition>& conditions);
 

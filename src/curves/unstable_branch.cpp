@@ -38,7 +38,8 @@ BranchEnd end_at(CurveKind kind) {
     return kind == CurveKind::period_doubling ? BranchEnd::period_doubling : BranchEnd::grazing;
 }
 
-// All branches that follow each other from one point of a curve, in one direction.
+// The unstable branches that begin at a point of a curve, on either side of it and at its gap, and those that
+// continue them beyond grazings.
 class BranchWalk {
   public:
     BranchWalk(const Rig& rig, const Window& window, const Seed& seed)

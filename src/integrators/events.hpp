@@ -180,8 +180,9 @@ auto StepEvents<Stepper>::watched() const -> std::span<const Watch> {
 template <class Stepper>
 LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     constexpr int most_looks = 50;
-    // Of the fastest time: the fourth power is beyond rounding, or, where the law's force is not smooth at
-    // delta = 0, the power of 1.5.
+    // The longest Taylor step, in units of the fastest time. Its error is of fourth order, that is, at rounding
+    // level. Where the law's force grows as a fractional power of delta from delta = 0, the order is lower
+    // (2.5 in the velocity for a power of 1.5), so the step has to be shorter.
     const bool smooth = scene::has_smooth_force(leg_->oscillator.contact);
     const double short_step = smooth ? 1e-4 : 1e-7;
     auto& [below, above] = bracket;

@@ -15,7 +15,7 @@ struct Key {
     std::string_view meaning;       // with its unit in brackets
     std::string_view example = {};  // an example value of a required key; a key without one has a default
     bool is_identity = true;        // whether two runs that differ here are different jobs
-    bool is_written = true;         // false: it names what is written instead
+    bool is_written = true;         // whether the resolved job holds it, or only what was read by it
 
     [[nodiscard]] bool is_required() const { return !example.empty(); }
 };

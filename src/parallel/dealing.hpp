@@ -28,7 +28,8 @@ class TileSource {
     [[nodiscard]] virtual bool ended() const = 0;  // no more will come
     // Reports this tile as solved and stored.
     virtual void solved(const Tile& tile) = 0;
-    // To be called often. False: leave everything as it is, since a stop was requested.
+    // Exchanges messages with the other ranks if they are due; to be called often. False once a stop was
+    // requested: return at once, without storing or reporting the tiles that are not finished.
     virtual bool carry_on() = 0;
 };
 

@@ -273,7 +273,7 @@ def test_each_branch_is_told_and_the_nearest_first(tmp_path):
     found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.3,1.5,45\n1.625,1.5,50\n1.625,1.5,4\n1.9,1.5,30\n9,0,9\n2,0,\n")
     with SweepFile(tmp_path / "a.h5") as file:
         told = residuals(file, found.points)
-    assert [(each[0].point.force, [one.motion.words for one in each]) for each in told] == [
+    assert [(each[0].point.force, [one.motion.title for one in each]) for each in told] == [
         (45, ["1/1 up and down"]), (50, ["1/1 up", "no impact down"]), (4, ["no impact down", "1/1 up"]), (30, ["no impact up and down"])]
     assert told[0][0].force == pytest.approx(42.0) and told[0][0].residual == pytest.approx(3.0)
     assert [one.force for one in told[1]] == pytest.approx([55.0, 0.0])
@@ -285,7 +285,16 @@ def test_branches_that_differ_by_rounding_are_one_motion(tmp_path):
         file["peak_force_ratio"][1] *= 1 + 1e-14
     seal_file(tmp_path / "a.h5")
     with SweepFile(tmp_path / "a.h5") as file:
-        assert [[one.motion.words for one in each] for each in residuals(file, found.points)] == [["1/1 up and down"]] * 2
+        assert [[one.motion.title for one in each] for each in residuals(file, found.points)] == [["1/1 up and down"]] * 2
+
+
+def test_branches_of_one_force_and_two_motions_stay_two(tmp_path):
+    found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.25,0,45\n")
+    with h5py.File(tmp_path / "a.h5", "r+") as file:
+        file["impacts"][1] = file["period"][1] = 2
+    seal_file(tmp_path / "a.h5")
+    with SweepFile(tmp_path / "a.h5") as file:
+        assert [one.motion.title for one in residuals(file, found.points)[0]] == ["1/1 up", "2/2 down"]
 
 
 def test_columns_without_a_word_are_left_out(tmp_path, draw):
@@ -317,7 +326,7 @@ def test_attractors_on_which_no_branch_is_are_told_too(tmp_path):
     with SweepFile(write_sweep_with_starts(tmp_path / "a.h5")) as file:
         ((nearest, branch),) = residuals(file, read_measurements(tmp_path / "points.csv", file).points)
     assert (nearest.motion.words, nearest.motion.share, nearest.force, nearest.away) == ("1/1", 0.25, 70, None)
-    assert branch.motion.words == "1/1 up and down" and branch.force == pytest.approx(32.5)
+    assert branch.motion.title == "1/1 up and down" and branch.force == pytest.approx(32.5)
 
 
 def test_labels_stand_at_their_own_points(tmp_path):

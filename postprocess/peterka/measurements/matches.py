@@ -16,14 +16,20 @@ ROUNDING = 1e-9  # of a step: a point closer than this lies at a computed place
 @dataclass(frozen=True)
 class Known:
     """A motion at a computed place. `words` name it, `force` [F/(m g)] is 0 without impacts, `share` is that of the starts
-    ending in it, None if the file does not give it. Places share the motion if its `key` is equal and, unless it certainly
-    `goes_on`, the forces are similar."""
+    ending in it, None if the file does not give it; `directions` are those of the branches that follow it. Places share the
+    motion if its `key` is equal and, unless it certainly `goes_on`, the forces are similar."""
 
     key: Hashable
     words: str
     force: float
     share: float | None = None
     goes_on: bool = False
+    directions: tuple[str, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """`words` and, of a branch, its directions."""
+        return f"{self.words} {' and '.join(self.directions)}".rstrip()
 
 
 @dataclass(frozen=True)

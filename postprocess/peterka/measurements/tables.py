@@ -52,7 +52,7 @@ def _of_point(point, units):
 def _of_motion(match, units):
     error = match.point.errors.get("force")
     share = match.motion.share
-    return (match.motion.words, "" if share is None else f"{100 * share:.3g} %", f"{match.force * (units.newtons or 1):.4g}",
+    return (match.motion.title, "" if share is None else f"{100 * share:.3g} %", f"{match.force * (units.newtons or 1):.4g}",
             f"{'-' if match.residual < 0 else '+'}{number(abs(match.residual) * (units.newtons or 1))}",
             f"{100 * match.residual / match.force:+.1f} %" if match.force > 0 else "",
             f"{match.residual / error:+.1f} s.e." if error else "", _where(match.away, units))

@@ -45,19 +45,19 @@ def _on_branch(branch, at, first, last):
     motion = known(branch.regime[at], branch.impacts[at], branch.period[at], branch.force[at])
     jumps = first != last and branch.jump[first if branch.direction == "down" else last]
     return None if motion is None else replace(motion, key=(branch.row, at if jumps else None),
-                                               words=f"{motion.words} {branch.direction}", goes_on=True)
+                                               directions=(branch.direction,), goes_on=True)
 
 
 def _merged(motions):
     """Both branches of a gap are often on the same orbit, whose force is then the same but for rounding: told once."""
     found: list[Known] = []
     for motion in filter(None, motions):
-        same = next((n for n, one in enumerate(found) if one.key[1] == motion.key[1] and distance(one.force, motion.force) == 0
-                     and one.words.startswith(f"{motion.words.rpartition(' ')[0]} ")), None)
+        same = next((n for n, one in enumerate(found) if one.key[1] == motion.key[1] and one.words == motion.words
+                     and distance(one.force, motion.force) == 0), None)
         if same is None:
             found.append(motion)
         else:
-            found[same] = replace(found[same], words=f"{found[same].words} and {motion.words.rpartition(' ')[2]}")
+            found[same] = replace(found[same], directions=found[same].directions + motion.directions)
     return found
 
 
