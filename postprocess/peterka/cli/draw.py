@@ -52,7 +52,7 @@ from .picture_options import (
     add_style_arguments, check_style, style_of, zoomed,
 )
 from ..sweeps import residuals
-from ..sweeps.borders import NO_BORDERS, read_borders
+from ..sweeps.borders import NO_BORDERS, Border, read_borders
 from ..sweeps.borders import table as table_of_borders
 from ..sweeps.sweep_file import SweepFile
 from ..sweeps.unstable import NO_UNSTABLE, read_unstable
@@ -122,7 +122,8 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
             tell(sentence)
         if measured.points:
             tell_residuals(file, measured.points)
-        borders, unstable, curves = NO_BORDERS, NO_UNSTABLE, None
+        borders: Sequence[Border] = NO_BORDERS
+        unstable, curves = NO_UNSTABLE, None
         if arguments.curves and isinstance(file, SweepFile):
             borders = read_borders(arguments.curves, file)
         elif arguments.curves:

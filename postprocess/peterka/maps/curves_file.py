@@ -80,6 +80,7 @@ class CurvesFile(PeterkaFile):
     has_edge_distance. Crossings and branches exist only for planes of frequency and gap."""
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
+    _parts: list[slice]  # of each curve, among the points of all
 
     def check_content(self) -> None:
         """Sets the documented members; raises PeterkaFileError for invalid content."""
