@@ -13,7 +13,7 @@ from .maps import (
     attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, force_map, last_impact, number_map,
     peterka_map, quantity_map,
 )
-from .maps.curves_file import CurvesFile, UnstableBranch
+from .maps.curves_file import CurvesFile, Lines, UnstableBranch
 from .maps.map_file import PeterkaFile
 from .measurements.points import NOTHING_MEASURED, Measurements
 from .studies import labels, stability, work_precision
@@ -50,6 +50,7 @@ def _has_share(name: str) -> Callable[[Any], bool]:
 
 
 PLANES = ("map", "basin")
+CURVES = "curves"  # of another file
 OVER_SWEEPS = ("measured", "borders", "unstable")
 PICTURES = [
     Row("map", ("map",), peterka_map.draw, takes=("measured",)),
@@ -74,6 +75,7 @@ PICTURES = [
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
     Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),
+    Row("curves_over_map", ("map",), curves_map.draw_over_map_of, takes=(CURVES,)),
     *(Row(name, ("curves",), partial(edge_distance_map.draw, side=side), partial(edge_distance_map.has, side=side))
       for name, side in edge_distance_map.PICTURES.items()),
     Row("response", ("sweep",), response.draw, takes=OVER_SWEEPS),
@@ -106,10 +108,10 @@ def picture_name(file: OpenedFile, name: str) -> str:
 
 def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
                 borders: Sequence[Border] = NO_BORDERS,
-                unstable: Sequence[UnstableBranch] = NO_UNSTABLE) -> dict[str, Callable]:
+                unstable: Sequence[UnstableBranch] = NO_UNSTABLE, curves: Lines | None = None) -> dict[str, Callable]:
     """{name: draw(file, ax=None)} of all pictures of an open file; each may still find nothing to draw. `cycles`: length of
     the short run whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map; `borders` and
-    `unstable` orbits: over those of a sweep."""
-    options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable}
+    `unstable` orbits: over those of a sweep; `curves`: over a map, which has one picture more with them."""
+    options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable, CURVES: curves}
     return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
-            for row in PICTURES if file.kind in row.kinds and row.has(file)}
+            for row in PICTURES if file.kind in row.kinds and row.has(file) and (CURVES not in row.takes or curves)}

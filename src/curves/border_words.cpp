@@ -74,7 +74,8 @@ class AlongBorders {
           hertz_(scene.scales().frequency_rad_per_s / (2 * std::numbers::pi)),
           metres_(scene.scales().length_m),
           has_one_length_(gap_axis_ == 0 ? job::twin_of_columns(scene.job()).has_value()
-                                         : job::twin_of_rows(scene.job()).has_value()) {
+                                         : job::twin_of_rows(scene.job()).has_value()),
+          gap_is_in_si_(job::is_in_si(scene.job().curves.gap_key())) {
         const job::Job& job = scene.job();
         const PlanePoint low = rig_.place_of({job.columns.from, job.rows.from});
         const PlanePoint high = rig_.place_of({job.columns.to, job.rows.to});
@@ -100,10 +101,11 @@ class AlongBorders {
     [[nodiscard]] std::string heading(double gap) const {
         const std::string& of_gap = rig_.key(gap_axis_);
         const double value = coordinate(rig_.values_at(moved({}, gap_axis_, gap)), gap_axis_);
-        const std::string place = has_one_length_
-                                      ? fmt::format("gap/A0 {:.6g} ({:.4g} mm)", gap, gap * metres_ * 1e3)
-                                  : job::is_in_si(of_gap) ? fmt::format("gap {:.4g} mm", value * 1e3)
-                                                          : fmt::format("gap/A0 {:.6g}", value);
+        const std::string place =
+            !has_one_length_ ? (job::is_in_si(of_gap) ? fmt::format("gap {:.4g} mm", value * 1e3)
+                                                      : fmt::format("gap/A0 {:.6g}", value))
+            : gap_is_in_si_  ? fmt::format("gap {:.4g} mm (gap/A0 {:.6g})", gap * metres_ * 1e3, gap)
+                             : fmt::format("gap/A0 {:.6g} ({:.4g} mm)", gap, gap * metres_ * 1e3);
         const std::string unit =
             job::is_frequency(key_) ? "Hz" : fmt::format("{} in {}", key_, job::quantity(key_).units);
         return fmt::format("Borders at {} of regimes with more than 1 % of the coarse map [{}]\n", place, unit);
@@ -122,6 +124,7 @@ class AlongBorders {
     double hertz_;     // at Omega/omega = 1
     double metres_;
     bool has_one_length_;  // A0 is the same in all cells
+    bool gap_is_in_si_;    // in the job's list
     PlanePoint window_;
 };
 

@@ -11,8 +11,8 @@ namespace peterka::curves {
 namespace {
 
 Site site_of(const regime::CellResult& cell, double gap) {
-    return {cell.regime, cell.impacts, cell.period, cell.peak_force,
-            State<double>(cell.orbit_displacement - gap, cell.orbit_velocity)};
+    return {cell.regime, cell.status,     cell.impacts,
+            cell.period, cell.peak_force, State<double>(cell.orbit_displacement - gap, cell.orbit_velocity)};
 }
 
 // Each motion once, represented by the first start that ends on it.
@@ -30,8 +30,9 @@ void add_others(const std::vector<regime::CellResult>& ends, double gap, std::ve
 void pack_sites(const std::vector<Site>& sites, Numbers& to) {
     to.push_back(static_cast<double>(sites.size()));
     for (const Site& site : sites) {
-        to.insert(to.end(), {static_cast<double>(site.regime), static_cast<double>(site.impacts),
-                             static_cast<double>(site.period), site.peak_force, site.orbit[0], site.orbit[1]});
+        to.insert(to.end(), {static_cast<double>(site.regime), static_cast<double>(site.status),
+                             static_cast<double>(site.impacts), static_cast<double>(site.period),
+                             site.peak_force, site.orbit[0], site.orbit[1]});
     }
 }
 
@@ -39,6 +40,7 @@ std::vector<Site> unpack_sites(NumberReader& from) {
     std::vector<Site> sites(static_cast<std::size_t>(from.integer()));
     for (Site& site : sites) {
         site.regime = static_cast<regime::Regime>(from.integer());
+        site.status = static_cast<regime::Status>(from.integer());
         site.impacts = from.integer();
         site.period = from.integer();
         site.peak_force = from.number();

@@ -15,6 +15,7 @@ namespace peterka::curves {
 // One motion of a cell.
 struct Site {
     regime::Regime regime = regime::Regime::failed;
+    regime::Status status = regime::Status::verified;
     std::int64_t impacts = 0;
     std::int64_t period = 0;
     double peak_force = regime::unknown;          // F/(k A0)
@@ -34,6 +35,7 @@ class CoarseMap {
 
     // The map is computed in parts, each by one call on any rank, and then put together.
     [[nodiscard]] std::int64_t parts() const;
+    [[nodiscard]] static std::int64_t most_in_part() { return cells_in_part; }
     [[nodiscard]] Numbers solve(std::int64_t part) const;
     void put_together(const std::vector<Numbers>& parts);
 

@@ -14,10 +14,14 @@ namespace peterka::curves {
 
 namespace {
 
+// Of tasks that are only a part of what a stage counts.
+const Done untold = [](std::int64_t) {};
+
 class CurveSearch {
   public:
-    CurveSearch(const scene::Scene& scene, const Deal& deal)
+    CurveSearch(const scene::Scene& scene, const Deal& deal, const Watcher& watcher)
         : deal_(deal),
+          watcher_(watcher),
           rig_(scene.job()),
           map_(scene, rig_),
           most_period_(scene.job().curves.max_period),
@@ -26,8 +30,7 @@ class CurveSearch {
           wants_distances_(scene.job().curves.edge_distance) {}
 
     CurveSearchResult run() {
-        const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
-        map_.put_together(parts);
+        solve_map();
         window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_, gap_axis_};
         cell_ = {window_.size().column / static_cast<double>(map_.columns() - 1),
                  window_.size().row / static_cast<double>(map_.rows() - 1)};
@@ -48,6 +51,18 @@ class CurveSearch {
   private:
     static constexpr std::size_t followed_at_once = 256;
     static constexpr std::size_t traced_at_once = 32;
+
+    void solve_map() {
+        watcher_.begins({"compute", "cells", map_.count()});
+        std::int64_t left = map_.count();
+        const auto advance = [&](std::int64_t parts) {
+            const std::int64_t cells = std::min(left, parts * map_.most_in_part());
+            left -= cells;
+            watcher_.advances(cells);
+        };
+        const auto solve = [&](std::int64_t part) { return map_.solve(part); };
+        map_.put_together(deal_(map_.parts(), solve, advance));
+    }
 
     // Between neighbours in a column or row. Of consecutive lines with equally many ends only those of the
     // first are kept, since the same curves continue through the others.
@@ -93,14 +108,16 @@ class CurveSearch {
     }
 
     void follow_all(const std::vector<Edge>& edges) {
+        watcher_.begins({"follow", "edges", std::ssize(edges)});
         for (std::size_t next = 0; next < edges.size();) {
+            const std::size_t first = next;
             std::vector<Edge> batch;
             for (; next < edges.size() && batch.size() < followed_at_once; ++next) {
                 if (!has_curve_near(edges[next])) batch.push_back(edges[next]);
             }
-            const auto results = deal_(std::ssize(batch), [&](std::int64_t task) {
-                return follow_edge(batch[static_cast<std::size_t>(task)]);
-            });
+            const auto results = deal_(
+                std::ssize(batch),
+                [&](std::int64_t task) { return follow_edge(batch[static_cast<std::size_t>(task)]); }, untold);
             std::vector<Seed> seeds;
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 NumberReader reader(results[i]);
@@ -110,6 +127,7 @@ class CurveSearch {
             }
             found_.followed += std::ssize(batch);
             trace_all(std::move(seeds));
+            watcher_.advances(static_cast<std::int64_t>(next - first));
         }
         std::ranges::sort(reached_);
     }
@@ -143,15 +161,18 @@ class CurveSearch {
                 const bool now = chosen.size() < traced_at_once && stands_apart(seed, chosen);
                 (now ? chosen : waiting).push_back(seed);
             }
-            const auto results = deal_(std::ssize(chosen), [&](std::int64_t task) {
-                const Stopwatch stopwatch;
-                Numbers numbers(1);
-                Curve curve = trace_curve(rig_, chosen[static_cast<std::size_t>(task)], window_);
-                numbers[0] = stopwatch.seconds();
-                tell_edges(rig_, map_, curve);
-                pack(curve, numbers);
-                return numbers;
-            });
+            const auto results = deal_(
+                std::ssize(chosen),
+                [&](std::int64_t task) {
+                    const Stopwatch stopwatch;
+                    Numbers numbers(1);
+                    Curve curve = trace_curve(rig_, chosen[static_cast<std::size_t>(task)], window_);
+                    numbers[0] = stopwatch.seconds();
+                    tell_edges(rig_, map_, curve);
+                    pack(curve, numbers);
+                    return numbers;
+                },
+                untold);
             for (const Numbers& numbers : results) {
                 NumberReader reader(numbers);
                 const double seconds = reader.number();
@@ -204,14 +225,17 @@ class CurveSearch {
             for (const Crossing& each : curve.crossings)
                 seeds.push_back({curve.kind, {each.orbit, each.place}});
         }
-        const auto results = deal_(std::ssize(seeds), [&](std::int64_t task) {
-            Numbers numbers;
-            for (const UnstableBranch& branch :
-                 unstable_branches(rig_, seeds[static_cast<std::size_t>(task)], window_)) {
-                pack(branch, numbers);
-            }
-            return numbers;
-        });
+        const auto results = deal_(
+            std::ssize(seeds),
+            [&](std::int64_t task) {
+                Numbers numbers;
+                for (const UnstableBranch& branch :
+                     unstable_branches(rig_, seeds[static_cast<std::size_t>(task)], window_)) {
+                    pack(branch, numbers);
+                }
+                return numbers;
+            },
+            untold);
         for (const Numbers& numbers : results) {
             for (NumberReader reader(numbers); !reader.done();) {
                 const UnstableBranch branch = unpack_branch(reader);
@@ -230,13 +254,17 @@ class CurveSearch {
         const auto line_of = [&](std::int64_t task) {
             return task < map_.rows() ? LineOfCells{true, task} : LineOfCells{false, task - map_.rows()};
         };
-        const auto lines = deal_(map_.rows() + map_.columns(), [&](std::int64_t task) {
-            Numbers numbers;
-            for (const EdgeDistance& each : edge_distances(map_, rig_, most_period_, line_of(task))) {
-                numbers.insert(numbers.end(), {each.change, static_cast<double>(each.kind)});
-            }
-            return numbers;
-        });
+        watcher_.begins({"measure", "lines", map_.rows() + map_.columns()});
+        const auto lines = deal_(
+            map_.rows() + map_.columns(),
+            [&](std::int64_t task) {
+                Numbers numbers;
+                for (const EdgeDistance& each : edge_distances(map_, rig_, most_period_, line_of(task))) {
+                    numbers.insert(numbers.end(), {each.change, static_cast<double>(each.kind)});
+                }
+                return numbers;
+            },
+            watcher_.advances);
         const auto cells = static_cast<std::size_t>(map_.count());
         found_.along_columns.resize(cells);
         found_.along_rows.resize(cells);
@@ -269,6 +297,7 @@ class CurveSearch {
     }
 
     const Deal& deal_;
+    const Watcher& watcher_;
     Rig rig_;
     CoarseMap map_;
     std::int64_t most_period_;
@@ -283,8 +312,8 @@ class CurveSearch {
 
 }  // namespace
 
-CurveSearchResult find_curves(const scene::Scene& scene, const Deal& deal) {
-    return CurveSearch(scene, deal).run();
+CurveSearchResult find_curves(const scene::Scene& scene, const Deal& deal, const Watcher& watcher) {
+    return CurveSearch(scene, deal, watcher).run();
 }
 
 }  // namespace peterka::curves

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "curves/coarse_map.hpp"
@@ -17,9 +18,22 @@
 
 namespace peterka::curves {
 
-// Runs tasks 0 to count - 1 and returns their results in this order; may throw Stopped.
+// Runs tasks 0 to count - 1 and returns their results in this order; may throw Stopped. Tells, on one rank, how
+// many tasks more are done.
 using Task = std::function<Numbers(std::int64_t task)>;
-using Deal = std::function<std::vector<Numbers>(std::int64_t count, const Task& task)>;
+using Done = std::function<void(std::int64_t count)>;
+using Deal = std::function<std::vector<Numbers>(std::int64_t count, const Task& task, const Done& done)>;
+
+// A stage of the search: `count` of a noun to be done. Told on every rank when it begins.
+struct Stage {
+    std::string_view what;  // "compute"
+    std::string_view noun;  // "cells"
+    std::int64_t count;
+};
+struct Watcher {
+    std::function<void(const Stage&)> begins = [](const Stage&) {};
+    Done advances = [](std::int64_t) {};  // on one rank at least, with what is done since the last call
+};
 
 // Edges of the coarse map; one that is neither on_curve nor basin is unexplained.
 struct EdgeCount {
@@ -42,6 +56,7 @@ struct CurveSearchResult {
     std::int64_t followed = 0;        // edges across which an orbit was followed
 };
 
-[[nodiscard]] CurveSearchResult find_curves(const scene::Scene& scene, const Deal& deal);
+[[nodiscard]] CurveSearchResult find_curves(const scene::Scene& scene, const Deal& deal,
+                                            const Watcher& watcher = {});
 
 }  // namespace peterka::curves

@@ -64,6 +64,10 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const CurveSearchResult
     add({"regime", Number::int8, regime::regime_not_computed, "",
          "regime of the steady state, in the coarse map", cell::regime_names},
         numbers_of(found.sites, [](const Site& s) { return static_cast<int>(s.regime); }));
+    add({"status", Number::int8, -128, "",
+         "why a cell is unresolved or failed, or what its claim leaves open, in the coarse map",
+         cell::status_names},
+        numbers_of(found.sites, [](const Site& s) { return static_cast<int>(s.status); }));
     add({"impacts", Number::int32, 0, "1", "p of z = p/q in the coarse map"},
         numbers_of(found.sites, [](const Site& s) { return s.impacts; }));
     add({"period", Number::int32, 0, "1", "q of z = p/q in the coarse map"},

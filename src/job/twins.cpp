@@ -56,6 +56,20 @@ std::optional<Twin> twin(const Job& job, std::string_view key) {
     return Twin{twin_of(key), key, rig};
 }
 
+// The keys by which a job gives its coordinates, those of its axes first.
+std::vector<std::string_view> keys_of_axes(const Job& job) {
+    std::vector<std::string_view> keys;
+    if (job.kind == Kind::trace || job.kind == Kind::study) return keys;
+    keys.push_back(column_key(job));
+    if (job.kind != Kind::sweep) keys.push_back(row_key(job));
+    if (job.kind == Kind::sweep && !job.sweep.gaps().empty()) keys.push_back(job.sweep.gap_key());
+    return keys;
+}
+std::vector<std::string_view> keys_of_place(const Job& job) {
+    const OperatingPoint& place = job.operating_point;
+    return {place.frequency_hz ? "frequency_hz" : "frequency_ratio", place.gap_m ? "gap_m" : "gap_ratio"};
+}
+
 }  // namespace
 
 std::string_view twin_of(std::string_view key) {
@@ -76,6 +90,16 @@ double unit_of(std::string_view key, const CellNumbers& rig) {
 
 double as_twin(std::string_view key, double value, const CellNumbers& rig) {
     return is_in_si(key) ? value / unit_of(key, rig) : value * unit_of(key, rig);
+}
+
+bool leads_in_si(const Job& job, std::string_view key) {
+    std::vector<std::string_view> given = keys_of_axes(job);
+    if (key.empty()) return std::ranges::any_of(given.empty() ? keys_of_place(job) : given, is_in_si);
+    std::ranges::copy(keys_of_place(job), std::back_inserter(given));
+    const auto* pair = find(key);
+    const auto says_it = [&](std::string_view other) { return pair != nullptr && find(other) == pair; };
+    const auto first = std::ranges::find_if(given, says_it);
+    return first != given.end() && is_in_si(*first);
 }
 
 std::optional<Twin> twin_of_columns(const Job& job) {

@@ -27,6 +27,11 @@ namespace peterka::job {
 // Converts a value of one key to the other.
 [[nodiscard]] double as_twin(std::string_view key, double value, const CellNumbers& rig);
 
+// Whether a coordinate, by either of its keys, is told in SI units first: where the job gives it so, on an
+// axis, in a list or as a single value. With an empty key: whether it gives any coordinate of its axes so, or
+// of its place if it has no axes.
+[[nodiscard]] bool leads_in_si(const Job& job, std::string_view key = {});
+
 // The name and values of the coordinate stored in the file beside that of an axis, or of the gaps of a sweep's
 // branches; none if it is not a function of the axis alone because its unit varies with the rig from cell to
 // cell.

@@ -21,7 +21,7 @@ struct MapCell {
     std::int64_t column = 0;
     job::Job job;                     // of the map
     quantities::StoredCell stored{};  // in the units of the file
-    std::string asked_beside{};       // the distance of the requested place from it; "" if there is none
+    std::string asked_beside{};       // its distance from the place of the trace; "" if there is none
 };
 
 // The job that a map or basin file stores. `key`: the key of the requesting job that names the file.

@@ -10,6 +10,7 @@
 #include "job/cell_numbers.hpp"
 #include "job/twins.hpp"
 #include "scene/scales.hpp"
+#include "support/readable.hpp"
 
 namespace peterka {
 namespace {
@@ -18,22 +19,11 @@ double natural_hz(const scene::Scales& scales) {
     return scales.frequency_rad_per_s / (2 * std::numbers::pi);
 }
 
+// Lengths in millimetres.
 std::string with_unit(std::string_view key, double value) {
     const std::string& units = job::quantity(key).units;
+    if (units == "m") return fmt::format("{:.4g} mm", 1e3 * value);
     return units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
-}
-
-// Lengths in millimetres.
-std::string in_si(std::string_view key, double value) {
-    return job::quantity(key).units == "m" ? fmt::format("{:.4g} mm", 1e3 * value) : with_unit(key, value);
-}
-
-// A ratio with its value in SI units.
-std::string in_both(const job::Twin& twin, double value) {
-    const bool is_ratio = job::is_in_si(twin.key);
-    const double other = twin.value(value);
-    return is_ratio ? fmt::format("{:.4g} ({})", value, in_si(twin.key, other))
-                    : fmt::format("{:.4g} ({})", other, in_si(twin.of, value));
 }
 
 std::optional<job::Twin> twin_on_axis(const job::Job& job, std::string_view key) {
@@ -48,9 +38,9 @@ std::string number_in_words(const scene::Scene& scene, std::string_view key, dou
     return fmt::format(", {} {}", key, value_in_words(scene, key, value));
 }
 
-std::string place(double frequency, double gap, const scene::Scales& scales) {
-    return fmt::format("Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm)", frequency,
-                       frequency * natural_hz(scales), gap, gap * scales.length_m * 1e3);
+std::string place(const job::Job& job, double frequency, double gap, const scene::Scales& scales) {
+    return fmt::format("{}, {}", frequency_in_words(job, frequency, frequency * natural_hz(scales)),
+                       gap_in_words(job, gap, gap * scales.length_m));
 }
 
 }  // namespace
@@ -58,7 +48,7 @@ std::string place(double frequency, double gap, const scene::Scales& scales) {
 std::string place_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Job& job = scene.job();
     const scene::Cell cell = scene.cell(row, column);
-    std::string text = place(cell.oscillator.frequency, cell.oscillator.gap, cell.scales);
+    std::string text = place(job, cell.oscillator.frequency, cell.oscillator.gap, cell.scales);
     text += number_in_words(scene, column_key(job), job::axis_value(job.columns, column));
     if (job.kind != job::Kind::sweep)
         text += number_in_words(scene, row_key(job), job::axis_value(job.rows, row));
@@ -66,25 +56,52 @@ std::string place_in_words(const scene::Scene& scene, std::int64_t row, std::int
 }
 
 std::string place_in_words(const job::Job& job) {
-    return place(job.operating_point.frequency_ratio, job.operating_point.gap_ratio, scene::scales_of(job));
+    return place(job, job.operating_point.frequency_ratio, job.operating_point.gap_ratio,
+                 scene::scales_of(job));
+}
+
+std::string frequency_in_words(const job::Job& job, double ratio, double hertz) {
+    return job::leads_in_si(job, "frequency_hz")
+               ? fmt::format("frequency {:.6g} Hz (Omega/omega {:.6g})", hertz, ratio)
+               : fmt::format("Omega/omega {:.6g} ({:.6g} Hz)", ratio, hertz);
+}
+
+std::string gap_in_words(const job::Job& job, double ratio, double metres) {
+    return job::leads_in_si(job, "gap_m") ? fmt::format("gap {:.4g} mm (gap/A0 {:.6g})", 1e3 * metres, ratio)
+                                          : fmt::format("gap/A0 {:.6g} ({:.4g} mm)", ratio, 1e3 * metres);
+}
+
+std::string short_force_in_words(const job::Job& job, double ratio, double weight, int digits) {
+    return job::leads_in_si(job) ? readable_amount(ratio * weight, "N", digits)
+                                 : fmt::format("{:.{}g} weights", ratio, digits);
+}
+
+std::string force_in_words(const job::Job& job, double ratio, double weight, int digits) {
+    const std::string weights = fmt::format("{:.{}g} weights", ratio, digits);
+    const std::string newton = readable_amount(ratio * weight, "N", digits);
+    return job::leads_in_si(job) ? newton + " = " + weights : weights + " = " + newton;
 }
 
 std::string start_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Job& job = scene.job();
-    return fmt::format("x/A0 {}, x'/(A0 omega) {}",
-                       value_in_words(scene, column_key(job), job::axis_value(job.columns, column)),
-                       value_in_words(scene, row_key(job), job::axis_value(job.rows, row)));
+    const auto said = [&](std::string_view key, const char* ratio, const char* length, const job::Axis& axis,
+                          std::int64_t index) {
+        return fmt::format("{} {}", job::leads_in_si(job, key) ? length : ratio,
+                           value_in_words(scene, key, job::axis_value(axis, index)));
+    };
+    return fmt::format("{}, {}", said(column_key(job), "x/A0", "x", job.columns, column),
+                       said(row_key(job), "x'/(A0 omega)", "x'", job.rows, row));
 }
 
 std::string value_in_words(const scene::Scene& scene, std::string_view key, double value) {
     const auto twin = twin_on_axis(scene.job(), key);
-    return twin ? in_both(*twin, value) : with_unit(key, value);
+    if (!twin || job::is_in_si(key)) return with_unit(key, value);
+    return fmt::format("{:.4g} ({})", value, with_unit(twin->key, twin->value(value)));
 }
 
-std::string label_in_words(const scene::Scene& scene, std::string_view key) {
-    const bool has_ratio = !job::is_in_si(key) || twin_on_axis(scene.job(), key);
-    if (job::is_frequency(key)) return has_ratio ? "Omega/omega" : "frequency";
-    if (job::is_gap(key)) return has_ratio ? "gap/A0" : "gap";
+std::string label_in_words(std::string_view key) {
+    if (job::is_frequency(key)) return job::is_in_si(key) ? "frequency" : "Omega/omega";
+    if (job::is_gap(key)) return job::is_in_si(key) ? "gap" : "gap/A0";
     return std::string(key);
 }
 

@@ -95,8 +95,8 @@ std::string place(const SummaryInput& input, const LargestForce& force) {
 std::string force_line(const SummaryInput& input, const char* of, const LargestForce& force) {
     if (!force.found() || !(force.peak_force_ratio > 0)) return "";
     const double weight = input.scene.cell(force.row, force.column).scales.weight_n;
-    return fmt::format("  {:<12}{:>6.4g} weights = {:>8}   {}\n", of, force.peak_force_ratio,
-                       readable_amount(force.peak_force_ratio * weight, "N"), place(input, force));
+    return fmt::format("  {:<12}{:<26} {}\n", of,
+                       force_in_words(input.scene.job(), force.peak_force_ratio, weight), place(input, force));
 }
 
 bool strikes(const Statistics& statistics) {

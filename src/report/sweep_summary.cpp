@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -22,24 +23,31 @@ namespace {
 using quantities::StoredCell;
 
 const std::string next_line = "\n" + std::string(32, ' ');
+// A heading on a line of its own.
+std::string capital(std::string text) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return "\n" + text + "\n";
+}
+
 constexpr std::size_t most_listed = 5;  // jumps, bands and classes of a branch
 
 class Words {
   public:
     explicit Words(const scene::Scene& scene)
-        : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(scene_, key_)) {}
+        : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(key_)) {}
 
     // Heading of the branches with the same gap; `branch` is the first of them.
     [[nodiscard]] std::string gap(std::int64_t branch) const {
         const scene::Cell first = scene_.cell(branch, 0);
         const scene::Cell last = scene_.cell(branch, job_.columns.points - 1);
-        const auto millimetres = [](const scene::Cell& cell) {
-            return cell.oscillator.gap * cell.scales.length_m * 1e3;
-        };
-        if (first.oscillator.gap != last.oscillator.gap) return fmt::format("\nAlong {}\n", key_);
-        return millimetres(first) == millimetres(last)
-                   ? fmt::format("\nGap/A0 {:.4g} ({:.3g} mm)\n", first.oscillator.gap, millimetres(first))
-                   : fmt::format("\nGap/A0 {:.4g}\n", first.oscillator.gap);
+        const auto metres = [](const scene::Cell& cell) { return cell.oscillator.gap * cell.scales.length_m; };
+        const bool one_length = std::abs(metres(first) - metres(last)) <= 1e-12 * std::abs(metres(first));
+        if (first.oscillator.gap == last.oscillator.gap && one_length)
+            return capital(gap_in_words(job_, first.oscillator.gap, metres(first)));
+        if (first.oscillator.gap == last.oscillator.gap)
+            return capital(fmt::format("gap/A0 {:.4g}", first.oscillator.gap));
+        if (one_length) return capital(fmt::format("gap {:.4g} mm", 1e3 * metres(first)));
+        return fmt::format("\nAlong {}\n", key_);
     }
 
     [[nodiscard]] std::string branch(const BranchFindings& found) const {
@@ -55,7 +63,7 @@ class Words {
         if (!stretch) return line("both", "hysteresis", "none");
         const std::int64_t middle = (stretch->first + stretch->last) / 2;
         const double width = value(stretch->last) - value(stretch->first);
-        const auto [above, below] = names_apart(at(up, middle), at(down, middle));
+        const auto [above, below] = names_apart(at(up, middle), at(down, middle), middle);
         return line(
             "both", "hysteresis",
             fmt::format("{} to {}, width {}: up {}, down {}", at_axis(value(stretch->first)),
@@ -63,12 +71,13 @@ class Words {
     }
 
     // With their forces if both have the same name: these then differ by more than one percent.
-    static std::pair<std::string, std::string> names_apart(const StoredCell& a, const StoredCell& b) {
+    [[nodiscard]] std::pair<std::string, std::string> names_apart(const StoredCell& a, const StoredCell& b,
+                                                                  std::int64_t column) const {
         const std::string first = name_of(motion_class(a));
         const std::string second = name_of(motion_class(b));
         if (first != second) return {first, second};
         const auto with_force = [&](const StoredCell& cell) {
-            return fmt::format("{} ({:.4g} weights)", first, cell.peak_force);
+            return fmt::format("{} ({})", first, short_force(cell, column, 4));
         };
         return {with_force(a), with_force(b)};
     }
@@ -103,10 +112,12 @@ class Words {
     [[nodiscard]] double value(std::int64_t column) const { return job::axis_value(job_.columns, column); }
     [[nodiscard]] std::string at_axis(double value) const { return value_in_words(scene_, key_, value); }
     [[nodiscard]] std::string force(const BranchFindings& found, std::int64_t column) const {
-        const double ratio = at(found, column).peak_force;
-        return fmt::format("{:.4g} weights = {}", ratio,
-                           readable_amount(ratio * scene_.cell(0, column).scales.weight_n, "N"));
+        return force_in_words(job_, at(found, column).peak_force, weight(column));
     }
+    [[nodiscard]] std::string short_force(const StoredCell& cell, std::int64_t column, int digits) const {
+        return short_force_in_words(job_, cell.peak_force, weight(column), digits);
+    }
+    [[nodiscard]] double weight(std::int64_t column) const { return scene_.cell(0, column).scales.weight_n; }
 
     static bool is_resonance(const BranchFindings& found) {
         return found.one_to_one && found.around_one_to_one.inside();
@@ -170,9 +181,9 @@ class Words {
     [[nodiscard]] std::string in_words(const BranchFindings& found, const Jump& jump) const {
         const StoredCell& before = at(found, jump.from);
         const StoredCell& after = at(found, jump.to);
-        return fmt::format("{} from {} ({:.3g} weights) to {} ({:.3g} weights)",
-                           at_axis((value(jump.from) + value(jump.to)) / 2), name_of(motion_class(before)),
-                           before.peak_force, name_of(motion_class(after)), after.peak_force);
+        return fmt::format("{} from {} ({}) to {} ({})", at_axis((value(jump.from) + value(jump.to)) / 2),
+                           name_of(motion_class(before)), short_force(before, jump.from, 3),
+                           name_of(motion_class(after)), short_force(after, jump.to, 3));
     }
 
     static const StoredCell& at(const BranchFindings& found, std::int64_t column) {

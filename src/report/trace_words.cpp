@@ -10,6 +10,7 @@
 #include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "quantities/fields.hpp"
+#include "report/axis_words.hpp"
 #include "report/starts_inside.hpp"
 #include "support/readable.hpp"
 
@@ -47,12 +48,13 @@ std::string place_in_words(const scene::Scene& scene, const trace::Course& cours
     const job::OperatingPoint& place = scene.job().operating_point;
     const double hertz = scene.scales().frequency_rad_per_s / (2 * std::numbers::pi);
     const double seconds = course.length / scene.scales().frequency_rad_per_s;
+    const job::Job& job = scene.job();
     std::string text = place.frequency_ratio > 0
-                           ? fmt::format("at Omega/omega {:.6g} ({:.6g} Hz)", place.frequency_ratio,
-                                         place.frequency_ratio * hertz)
+                           ? fmt::format("at {}", frequency_in_words(job, place.frequency_ratio,
+                                                                     place.frequency_ratio * hertz))
                            : std::string("with the cart at rest");
-    text += fmt::format(", gap/A0 {:.6g} ({:.4g} mm), ", place.gap_ratio,
-                        1000 * place.gap_ratio * scene.scales().length_m);
+    text +=
+        fmt::format(", {}, ", gap_in_words(job, place.gap_ratio, place.gap_ratio * scene.scales().length_m));
     if (place.frequency_ratio == 0) return text + fmt::format("{:.4g} s from the start", seconds);
     const std::string from = course.period > 0    ? "the steady state"
                              : course.skipped > 0 ? fmt::format("cycle {} on", course.skipped)
@@ -101,10 +103,13 @@ std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, c
         job::axis_value(map.job.columns, map.column), regime_in_words(stored),
         force_in_words(stored.peak_force, scene));
     if (!map.asked_beside.empty())
-        text += fmt::format("                   the nearest cell, {} from the place that was asked for\n",
+        text += fmt::format("                   the nearest cell, {} from the place of this trace\n",
                             map.asked_beside);
     if (!stored.computed) text += "                   filled from the cells around it, not computed\n";
-    if (!regime::same_label(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
+    const bool is_same = regime::same_label(stored, cell);
+    if (!map.asked_beside.empty())
+        return text + fmt::format("  this trace       has {} regime and z\n", is_same ? "the same" : "another");
+    if (!is_same) return text + "  this trace       DISAGREES in regime or z\n";
     const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);
     return text + fmt::format("  this trace       agrees in regime and z{}\n",
                               std::isfinite(off) ? fmt::format(", peak force off by {:.1e}", off) : "");

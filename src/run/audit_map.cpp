@@ -101,7 +101,7 @@ void audit_map(const parallel::Session& session, const RunPlan& plan, const scen
         if (!whole) missing.add(tile);
     }
     Progress progress(progress_style(session, plan), samples, samples - parallel::cells_in(missing, tiling),
-                      "audit");
+                      {.what = "audit"});
     const auto solve_tile = [&](const parallel::Tile& tile, const parallel::Poll& poll) {
         for (std::int64_t index = tile.row; index < tile.row + tile.size(); ++index) {
             poll();

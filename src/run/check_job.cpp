@@ -15,6 +15,7 @@
 #include "map_file/layout.hpp"
 #include "map_file/map_size.hpp"
 #include "refine/lattice.hpp"
+#include "report/axis_words.hpp"
 #include "report/starts_inside.hpp"
 #include "run/memory_left.hpp"
 #include "run/price.hpp"
@@ -45,15 +46,15 @@ std::string refine_text(const job::Job& job) {
                        stride, readable_count(coarsest));
 }
 
-std::string gap_in_words(const job::Job& job, const job::Branch& branch) {
+std::string gap_of_branch(const job::Job& job, const job::Branch& branch) {
     if (!branch.gap) return "";
     const auto twin = job::twin_of_branches(job);
     const bool in_m = job.sweep.gap_key() == "gap_m";
     const double other = twin ? twin->value(*branch.gap) : 0;
-    const std::string ratio = fmt::format("gap/A0 {:g}", in_m ? other : *branch.gap);
-    const std::string length = fmt::format("{:.4g} mm", 1e3 * (in_m ? *branch.gap : other));
-    if (!twin) return in_m ? fmt::format("gap {}, ", length) : ratio + ", ";
-    return fmt::format("{} ({}), ", ratio, length);
+    if (!twin)
+        return in_m ? fmt::format("gap {:.4g} mm, ", 1e3 * *branch.gap)
+                    : fmt::format("gap/A0 {:g}, ", *branch.gap);
+    return gap_in_words(job, in_m ? other : *branch.gap, in_m ? *branch.gap : other) + ", ";
 }
 
 // For a sweep: its branches in their order.
@@ -62,7 +63,7 @@ std::string branches_text(const job::Job& job) {
     std::string text;
     for (std::int64_t i = 0; i < job.sweep.branches(); ++i) {
         const job::Branch branch = job.sweep.branch(i);
-        text += fmt::format("#     {:<4} {}{}\n", i, gap_in_words(job, branch), job::name(branch.direction));
+        text += fmt::format("#     {:<4} {}{}\n", i, gap_of_branch(job, branch), job::name(branch.direction));
     }
     return "#   branches\n" + text;
 }
@@ -121,16 +122,17 @@ std::string check_curves(const Request& request, const job::Job& job, const job:
 }
 
 std::string check_trace(const Request& request, const TracedCell& traced, const job::Origins& origins) {
-    const std::string beside =
-        traced.map && !traced.map->asked_beside.empty()
-            ? fmt::format(", {} from the place that was asked for", traced.map->asked_beside)
-            : "";
-    const std::string cell = traced.map ? fmt::format("of row {}, column {} of {}{}", traced.map->row,
-                                                      traced.map->column, traced.map->file.string(), beside)
-                                        : std::string("of this job");
+    std::string cell = "of one cell, that of this job";
+    if (traced.map) {
+        const std::string stored = fmt::format("row {}, column {} of {}", traced.map->row, traced.map->column,
+                                               traced.map->file.string());
+        cell = traced.map->asked_beside.empty()
+                   ? "of one cell, that of " + stored
+                   : fmt::format("of the place asked for, {} from {}", traced.map->asked_beside, stored);
+    }
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
-               "#   trace    of one cell, that {}\n"
+               "#   trace    {}\n"
                "{}"
                "#   file     {} ({})\n"
                "{}\n",

@@ -9,7 +9,8 @@ namespace peterka {
 
 std::vector<std::vector<double>> deal_numbers(
     const parallel::Session& session, const StopRequest& stop, std::int64_t count,
-    const std::function<std::vector<double>(std::int64_t task)>& solve) {
+    const std::function<std::vector<double>(std::int64_t task)>& solve,
+    const std::function<void(std::int64_t tasks)>& on_progress) {
     std::vector<std::vector<double>> results(static_cast<std::size_t>(count));
     if (count == 0) return results;
     std::vector<double> mine;  // task, length, numbers; and so on
@@ -21,7 +22,7 @@ std::vector<std::vector<double>> deal_numbers(
     parallel::deal_tiles(session, parallel::Tiling({count, 1}, {1, 1}), parallel::TileSet::all(count),
                          {.solve = parallel::one_by_one(solve_task),
                           .stop_requested = [&] { return stop.requested(); },
-                          .on_progress = [](std::int64_t) {}});
+                          .on_progress = on_progress});
     const std::vector<double> all = parallel::gather<double>(mine, session.communicator());
     for (std::span<const double> left(all); !left.empty();) {
         const auto length = static_cast<std::size_t>(left[1]);

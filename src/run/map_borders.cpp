@@ -38,9 +38,10 @@ std::string map_borders(const parallel::Session& session, const RunPlan& plan, c
     if (quiet != 0) return "";
     const scene::Scene scene(coarse_job(plan.job));
     try {
-        const auto found = curves::find_curves(scene, [&](std::int64_t count, const curves::Task& task) {
-            return deal_numbers(session, stop, count, task);
-        });
+        const auto deal = [&](std::int64_t count, const curves::Task& task, const curves::Done& done) {
+            return deal_numbers(session, stop, count, task, done);
+        };
+        const auto found = curves::find_curves(scene, deal);
         return "\n" + curves::borders_in_words(scene, found);
     } catch (const Stopped&) {  // all ranks come here together; the file is complete
         return "\nNo border is told: stopped before they were traced; the same command tells them\n";

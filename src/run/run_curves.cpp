@@ -12,7 +12,9 @@
 #include "map_file/whole_file.hpp"
 #include "run/deal_numbers.hpp"
 #include "run/price.hpp"
+#include "run/progress_style.hpp"
 #include "run/words.hpp"
+#include "support/progress.hpp"
 #include "support/readable.hpp"
 #include "support/stop_if_asked.hpp"
 #include "support/stop_request.hpp"
@@ -41,9 +43,18 @@ ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
     std::string words;
     const auto find_and_write = [&] {
         const scene::Scene scene(plan.job);
-        const auto found = curves::find_curves(scene, [&](std::int64_t count, const curves::Task& task) {
-            return deal_numbers(session, stop, count, task);
-        });
+        std::optional<Progress> progress;  // of the stage that has begun
+        const auto deal = [&](std::int64_t count, const curves::Task& task, const curves::Done& done) {
+            return deal_numbers(session, stop, count, task, done);
+        };
+        const auto begin = [&](const curves::Stage& stage) {
+            const ProgressWork work{.what = stage.what, .noun = stage.noun, .is_kept = false};
+            progress.reset();  // ends its line first
+            progress.emplace(progress_style(session, plan), stage.count, 0, work);
+        };
+        const auto found =
+            curves::find_curves(scene, deal, {begin, [&](std::int64_t done) { progress->add(done); }});
+        progress.reset();
         if (!session.is_root()) return;
         map_file::write_whole_file(plan.file, plan.job, map_file::collect_provenance(),
                                    {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, found)},

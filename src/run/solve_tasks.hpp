@@ -28,7 +28,7 @@ template <study::Topic Topic>
     const std::int64_t tasks = topic.tasks();
     const parallel::Tiling tiling({tasks, 1}, {1, 1});
     std::vector<NumberedResult> mine;
-    Progress progress(progress_style(session, plan), tasks, 0, "compare");
+    Progress progress(progress_style(session, plan), tasks, 0, {.what = "compare"});
     const auto solve_task = [&](const parallel::Tile& tile, const parallel::Poll& /*poll*/) {
         mine.push_back({tile.row, topic.solve(tile.row)});
     };

@@ -138,13 +138,18 @@ Named cell_of(const job::Job& job, const job::Job& map) {
     return {place, values.at(column), values.at(row)};
 }
 
+// Whether a requested value differs from that of its cell by more than rounding.
+bool is_beside(const Axis& axis, std::int64_t index, std::optional<double> asked) {
+    if (!asked) return false;
+    const double own = job::axis_value(axis, index);
+    return std::abs(*asked - own) > 1e-9 * std::max(std::abs(*asked), std::abs(own));
+}
+
 // Distance of a requested place from its cell along one axis; "" if they agree up to rounding.
 std::string distance_in_words(const Axis& axis, std::string_view key, std::int64_t index,
                               std::optional<double> asked, const job::CellNumbers& rig) {
-    if (!asked) return "";
-    const double own = job::axis_value(axis, index);
-    const double distance = std::abs(*asked - own);
-    if (distance <= 1e-9 * std::max(std::abs(*asked), std::abs(own))) return "";
+    if (!is_beside(axis, index, asked)) return "";
+    const double distance = std::abs(*asked - job::axis_value(axis, index));
     const std::string_view twin = job::twin_of(key);
     if (twin.empty()) return fmt::format("{:.3g} of {}", distance, key);
     const double in_si = job::is_in_si(key) ? distance : job::as_twin(key, distance, rig);
@@ -172,9 +177,13 @@ job::Job with_rig_of(const job::Job& job, const job::CellNumbers& numbers) {
     return own;
 }
 
-// A trace follows a cell as it was computed.
-job::Job trace_of_cell(const job::Job& job, const job::Job& map, const CellIndex& cell) {
-    const job::CellNumbers numbers = job::numbers_at(map, cell.row, cell.column);
+// A trace follows a cell as it was computed, or the same rig at the requested place.
+job::Job trace_of_cell(const job::Job& job, const job::Job& map, const Named& named) {
+    const CellIndex& cell = named.cell;
+    job::CellNumbers numbers = job::numbers_at(map, cell.row, cell.column);
+    if (is_beside(map.columns, cell.column, named.column))
+        job::set_number(numbers, column_key(map), *named.column);
+    if (is_beside(map.rows, cell.row, named.row)) job::set_number(numbers, row_key(map), *named.row);
     job::Job own = with_rig_of(map, numbers);
     own.kind = job::Kind::trace;
     own.title = job.title.empty() ? map.title : job.title;
@@ -222,7 +231,7 @@ TracedCell find_traced_cell(const job::Job& job) {
     const Named named = cell_of(job, map);
     const std::string rig = named_in_words(job, named);
     if (is_basin) return {basin_of_cell(job, map, named, rig), rig, std::nullopt};
-    TracedCell traced{trace_of_cell(job, map, named.cell), rig,
+    TracedCell traced{trace_of_cell(job, map, named), rig,
                       map_file::read_map_cell(job.cell.map, map, named.cell.row, named.cell.column)};
     traced.map->asked_beside = distance_in_words(map, named);
     return traced;

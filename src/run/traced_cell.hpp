@@ -1,5 +1,5 @@
-// The cell of a map file that a trace follows, or whose rig a basin takes, at the requested place: which one it
-// is, and the resulting job.
+// The cell of a map file whose rig a trace or a basin takes, and the resulting job. Where the job names a
+// place, that is where it is computed: the cell is then the nearest one.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace peterka {
 struct TracedCell {
     job::Job job;                    // complete: with the rig and the place of the cell, and without a map
     std::optional<std::string> rig;  // whose rig it is, in words; none if the job has its own
-    std::optional<map_file::MapCell> map;  // what the file stores for the cell that a trace follows
+    std::optional<map_file::MapCell> map;  // what the file stores for the cell of a trace
 };
 
 // Reads the file that trace.map or basin.map names. Throws Failure(bad_job).

@@ -41,7 +41,7 @@ Words in_words(const ProgressCounts& counts, double seconds) {
 
     const double rate = static_cast<double>(done_now) / seconds;
     const auto left = static_cast<double>(counts.cells - counts.cells_done);
-    words.rate = fmt::format("{} cells/s", readable_count(static_cast<std::int64_t>(rate)));
+    words.rate = fmt::format("{} {}/s", readable_count(static_cast<std::int64_t>(rate)), counts.noun);
     words.time = left > 0 ? "ETA " + readable_duration(left / rate) : "in " + readable_duration(seconds);
     return words;
 }
@@ -76,13 +76,14 @@ std::string progress_line(const ProgressCounts& counts, double seconds, int colu
     return text;
 }
 
-Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before, std::string_view what)
-    : style_(style), counts_{cells, cells_before, cells_before} {
+Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before, const ProgressWork& work)
+    : style_(style), counts_{cells, cells_before, cells_before, work.noun} {
     if (style_ == ProgressStyle::bar)
         if (auto terminal = Terminal::of_stderr()) terminal_.emplace(std::move(*terminal));
     if (style_ == ProgressStyle::lines) {
-        tell("peterka: {} cells to {}, {} already in the file\n", readable_count(cells - cells_before), what,
-             readable_count(cells_before));
+        const std::string kept =
+            work.is_kept ? fmt::format(", {} already in the file", readable_count(cells_before)) : "";
+        tell("peterka: {} {} to {}{}\n", readable_count(cells - cells_before), work.noun, work.what, kept);
         next_print_seconds_ = line_interval_seconds;
     }
 }

@@ -18,6 +18,14 @@ struct ProgressCounts {
     std::int64_t cells = 0;         // of the whole map
     std::int64_t cells_before = 0;  // already in the file when this run began
     std::int64_t cells_done = 0;    // including those before
+    std::string_view noun = "cells";
+};
+
+// The work: "12 cells to compute, 3 already in the file".
+struct ProgressWork {
+    std::string_view what = "compute";
+    std::string_view noun = "cells";
+    bool is_kept = true;  // what is done is in a file, from which another run goes on
 };
 
 // "12.3 % 5,432 cells/s ETA 1 min 12 s"; the rate counts this run alone. At the end the time
@@ -33,9 +41,7 @@ struct ProgressCounts {
 
 class Progress {
   public:
-    // what: the work in a word, as in "12 cells to compute".
-    Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before,
-             std::string_view what = "compute");
+    Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before, const ProgressWork& work = {});
     ~Progress();  // ends the bar's line
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

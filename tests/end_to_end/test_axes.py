@@ -125,7 +125,7 @@ def test_the_file_opens_in_xarray_with_names_and_units(computed):
 def test_the_summary_tells_where_in_words_of_the_axes(computed):
     shown = launch.run("run", "stops.toml", cwd=computed).stdout
     assert "20 by 18 values of contact.stiffness_n_per_m and contact.damping_ns_per_m" in shown
-    assert re.search(r"at Omega/omega 2 \(9 Hz\), gap/A0 0 \(0 mm\), contact.stiffness_n_per_m \S+ N/m, "
+    assert re.search(r"at frequency 9 Hz \(Omega/omega 2\), gap 0 mm \(gap/A0 0\), contact.stiffness_n_per_m \S+ N/m, "
                      r"contact.damping_ns_per_m \S+ N s/m", shown), shown
 
 
@@ -193,7 +193,9 @@ def test_a_trace_names_its_cell_by_values_on_these_axes(computed, tmp_path, name
     finished = launch.run("run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 0, finished.stderr
     assert f"row {row} (" in finished.stdout and f"column {column} (" in finished.stdout, finished.stdout
-    assert "agrees in regime and z" in finished.stdout
+    assert "the nearest cell" in finished.stdout
+    jobs.write(tmp_path, jobs.trace_of(computed / f"{name}.h5", tables((columns, x[column]), (rows, y[row]))))
+    assert "agrees in regime and z" in launch.run("run", "job.toml", "--fresh", cwd=tmp_path).stdout
 
 
 @pytest.mark.parametrize("name, settings, message", [
@@ -247,7 +249,7 @@ def test_where_to_operate_is_told_in_words_of_the_axes(computed, tmp_path):
         row, column = np.unravel_index(force.argmax(), force.shape)
         damping, hertz = file["contact_damping_ns_per_m"][row], file["frequency_ratio"][column] * 4.5
     best = next(line for line in told.stdout.splitlines() if line.startswith("best: "))
-    assert f"frequency {hertz:.5g} Hz" in best and f"contact_damping_ns_per_m {damping:.5g}" in best
+    assert f"({hertz:.5g} Hz)" in best and f"contact_damping_ns_per_m {damping:.5g}" in best
     assert f"at least {force.max() / 1000:.4g} kN" in best
 
 

@@ -39,8 +39,26 @@ def lines(path, kind, impacts, period):
 
 @pytest.mark.parametrize("ranks", [2, 3, 7])
 def test_curves_are_the_same_at_any_number_of_ranks(tmp_path, curves, ranks):
-    path, _ = compute(tmp_path, jobs.small_curves(points=32), "--quiet", ranks=ranks)
+    path, quiet = compute(tmp_path, jobs.small_curves(points=32), "--quiet", ranks=ranks)
+    assert "to compute" not in quiet.stderr
     map_contents.assert_same_map(path, curves[0])
+
+
+def test_progress_is_shown_stage_by_stage(tmp_path):
+    _, finished = compute(tmp_path, jobs.small_curves(points=12), "--set", "curves.edge_distance=true", ranks=2)
+    said = [line for line in finished.stderr.splitlines() if line.startswith("peterka: ")]
+    assert said[0] == "peterka: 144 cells to compute" and said[2] == "peterka: 24 lines to measure" and len(said) == 3
+    assert re.fullmatch(r"peterka: [\d,]+ edges to follow", said[1])
+
+
+def test_the_coarse_map_has_the_labels_and_the_status_of_a_map(tmp_path, curves):
+    jobs.write(tmp_path, jobs.small_curves(points=32).replace('kind = "curves"', 'kind = "map"').split("[curves]")[0], "map.toml")
+    assert launch.run("run", "map.toml", cwd=tmp_path).returncode == 0
+    with xarray.open_dataset(curves[0]) as data, xarray.open_dataset(tmp_path / "map.h5") as cells:
+        assert data.status.dims == cells.status.dims and data.status.attrs["flag_meanings"] == cells.status.attrs["flag_meanings"]
+        for name in ("regime", "status", "impacts", "period"):
+            assert np.array_equal(data[name].values, cells[name].values), name
+        assert (data.status.values != 0).any()
 
 
 def test_the_file_opens_in_xarray_and_each_point_obeys_its_equations(curves):

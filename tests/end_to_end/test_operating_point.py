@@ -32,17 +32,17 @@ def operate(folder, *arguments, **variables):
 
 @pytest.fixture(scope="module")
 def plane(tmp_path_factory):
-    """The two bands of z = 1/1 and 1/2, with cell spacings of 0.05 Hz and 0.045 mm."""
+    """The two bands of z = 1/1 and 1/2, with cell spacings of 0.05 Hz and 0.045 mm; borders are told at a gap outside the boxes."""
     folder = tmp_path_factory.mktemp("map")
     return compute(folder, jobs.RIG.format(kind="map", title="plane") + jobs.axis("frequency_ratio", 1.2, 3.6, 217)
-                   + jobs.axis("gap_ratio", 0.0, 1.5, 31), "--set", 'output.fields=["contact_power_w"]')
+                   + jobs.axis("gap_ratio", 0.0, 1.5, 31) + "[curves]\ngap_ratio = [1.45]\n", "--set", 'output.fields=["contact_power_w"]')
 
 
 def test_the_best_place_has_what_the_program_finds_around_it(tmp_path, plane):
     done = operate(tmp_path, plane, "--hz", 0.3, "--mm", 0.1, "--regime", "1/1", "--verify")
     assert (done.returncode, done.stderr) == (0, ""), done.stderr
     hertz, millimetres, newtons = map(float, re.search(
-        r"best: frequency ([\d.]+) Hz .*, gap ([\d.]+) mm .*, z = 1/1: at least ([\d.]+) N", done.stdout).groups())
+        r"best: frequency_ratio [\d.]+ \(([\d.]+) Hz\), gap_ratio [\d.]+ \(([\d.]+) mm\), z = 1/1: at least ([\d.]+) N", done.stdout).groups())
     frequency, gap = hertz / 4.5, millimetres / 0.89
     around = compute(tmp_path, jobs.RIG.format(kind="map", title="around")
                      + jobs.axis("frequency_ratio", frequency - 0.3 / 4.5, frequency + 0.3 / 4.5, 23)

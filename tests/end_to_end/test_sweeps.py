@@ -104,7 +104,7 @@ def test_the_summary_tells_what_a_sweep_shows(tmp_path):
     jobs.write(tmp_path, jobs.small_sweep())
     finished = launch.run("run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 0
-    for words in ["246 cells: 41 by 6 excitation frequencies and branches", "Gap/A0 1.5 (1.33 mm)", "impact resonance",
+    for words in ["246 cells: 41 by 6 excitation frequencies and branches", "Gap/A0 1.5 (1.335 mm)", "impact resonance",
                   "jumps", "hysteresis", "up 1/1, down no impact", "Sweep file job.h5"]:
         assert words in finished.stdout, finished.stdout
 

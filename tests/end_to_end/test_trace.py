@@ -102,17 +102,27 @@ def test_a_trace_tells_why_a_cell_has_its_colour(tmp_path, small_map_file, regim
             assert file[f"cell/{name}"][()] == pytest.approx(value, rel=1e-9)
 
 
-def test_axis_values_name_the_nearest_cell(tmp_path, small_map_file):
+def test_a_place_is_computed_where_it_was_asked_for_and_the_distance_to_the_nearest_cell_is_told(tmp_path, small_map_file):
     with h5py.File(small_map_file) as file:
         frequency, gap = file["frequency_ratio"][()], file["gap_ratio"][()]
-    near = f"[operating_point]\nfrequency_ratio = {frequency[7] + 0.02}\ngap_ratio = {gap[3] - 0.02}"
+    place = frequency[7] + 0.02, gap[3] - 0.02
+    near = f"[operating_point]\nfrequency_ratio = {place[0]}\ngap_ratio = {place[1]}"
     path, said = compute(tmp_path, jobs.trace_of(small_map_file, near))
     assert "row 3 " in said and "column 7 " in said
-    away = f"{0.02 * 4.5:.3g} Hz, {0.02 * 0.89:.3g} mm from the place that was asked for"
-    assert f"the nearest cell, {away}" in said
-    assert away in launch.run("check", "job.toml", cwd=tmp_path).stdout
-    _, said = compute(tmp_path, jobs.trace_of(small_map_file, f"[operating_point]\nfrequency_ratio = {frequency[7]}\ngap_ratio = {gap[3]}"))
-    assert "that was asked for" not in said
+    away = f"{0.02 * 4.5:.3g} Hz, {0.02 * 0.89:.3g} mm from "
+    assert f"the nearest cell, {away}the place of this trace" in said
+    assert f"the place asked for, {away}row 3, column 7 of" in launch.run("check", "job.toml", cwd=tmp_path).stdout
+    with h5py.File(path) as file:
+        assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == place
+        found = {name: file[f"cell/{name}"][()] for name in ("regime", "impacts", "period", "peak_force_ratio")}
+    path, _ = compute(tmp_path, jobs.trace(*place), "--fresh")
+    with h5py.File(path) as file:
+        assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == place
+        for name, value in found.items():
+            assert file[f"cell/{name}"][()] == pytest.approx(value, rel=1e-6, nan_ok=True)
+    exact = f"[operating_point]\nfrequency_ratio = {frequency[7]}\ngap_ratio = {gap[3]}"
+    path, said = compute(tmp_path, jobs.trace_of(small_map_file, exact), "--fresh")
+    assert "the place of this trace" not in said and "agrees in" in said
     with h5py.File(path) as file:
         assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == (frequency[7], gap[3])
 

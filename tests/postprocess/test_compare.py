@@ -89,7 +89,7 @@ def test_scales_in_hertz_and_millimetres_where_both_rigs_have_them(pair, tmp_pat
 
 
 @pytest.mark.parametrize("units, place, scales", [
-    ("both", "frequency 9 Hz (frequency_ratio 2), gap 0 mm (gap_ratio 0)", (True, True)), ("si", "frequency 9 Hz, gap 0 mm", (False, True)),
+    ("both", "frequency_ratio 2 (9 Hz), gap_ratio 0 (0 mm)", (True, True)), ("si", "frequency 9 Hz, gap 0 mm", (False, True)),
     ("ratio", "frequency_ratio 2, gap_ratio 0", (True, False))])
 def test_units_are_those_asked_for(pair, run_compare, monkeypatch, units, place, scales):
     drawn = []
@@ -136,7 +136,7 @@ def test_the_program_tells_and_draws(pair, tmp_path, run_compare):
     code, told, complaint = run_compare("a.h5", "b.h5")
     assert (code, complaint) == (0, "")
     assert "same regime and z           13    86.667 %" in told and "2/2 -> 1/1" in told
-    assert "largest             2 (+100 %), at frequency 9 Hz (frequency_ratio 2), gap 0 mm (gap_ratio 0)" in told
+    assert "largest             2 (+100 %), at frequency_ratio 2 (9 Hz), gap_ratio 0 (0 mm)" in told
     assert matplotlib.image.imread(tmp_path / "pictures" / "a_against_b.png").shape[1] == 1110
 
 
@@ -151,7 +151,7 @@ def test_files_without_a_common_force_or_cell(tmp_path, run_compare):
 def test_other_planes_are_refused_in_one_line(pair, tmp_path, run_compare):
     write_map(tmp_path / "shifted.h5", frequency_ratio=[1, 2.1, 3.1, 4.001])
     write_basin(tmp_path / "basin.h5")
-    for name, words in (("shifted.h5", "4 points of frequency_ratio from 1 to 4.001, and"),
+    for name, words in (("shifted.h5", "4 points of frequency_ratio 1 to 4.001 ("),
                         ("basin.h5", "is a basin and a.h5 a map"), ("none.h5", "does not exist")):
         code, _, complaint = run_compare("a.h5", name)
         assert code == 2 and words in complaint, complaint
@@ -168,3 +168,18 @@ def test_basins_of_two_places_can_be_compared(tmp_path, run_compare):
         assert file.attrs["gap_ratio"] == 1.7
     code, told, _ = run_compare("a.h5", "b.h5")
     assert code == 0 and "1/1 -> no impact" in told
+
+
+def test_grids_without_a_common_point_are_told_in_hertz_and_millimetres(tmp_path, run_compare):
+    for name, shift in (("a.h5", 0.0), ("b.h5", 0.5)):
+        write_map(tmp_path / name, frequency_ratio=4.5 * (np.arange(4) + 1 + shift), natural_frequency_hz=4.5)
+        with SealedFile(tmp_path / name, "r+") as file:
+            file.attrs["job"] = JOB_IN_HZ
+            file.move("frequency_ratio", "frequency_hz")
+    code, _, complaint = run_compare("a.h5", "b.h5")
+    assert code == 2
+    assert "b.h5 has 4 points of frequency 6.75 to 20.25 Hz (frequency_ratio 1.5 to 4.5), and a.h5 has 4 points of frequency 4.5 to 18 Hz" in complaint
+    assert "of frequency 6.75 to 20.25 Hz, and" in run_compare("a.h5", "b.h5", "--units", "si")[2]
+
+
+JOB_IN_HZ = "schema = 1\n[axes.frequency_hz]\nfrom = 4.5\nto = 18\npoints = 4\n[axes.gap_ratio]\nfrom = 0\nto = 3\npoints = 4\n"

@@ -16,7 +16,8 @@ from peterka.operating import picture, told
 from peterka.operating.admitted import Quantity, admitted, read_code
 from peterka.operating.drift import reach, worst_of_boxes
 from peterka.operating.places import Place, best_places
-from peterka.plotting.notes import write_beside
+from peterka.plotting.notes import write_beside, write_near_box
+from peterka.plotting.seen import SEEN
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
 from picture_texts import has_scales
 from sealing import seal_file
@@ -233,8 +234,8 @@ def test_the_command_prints_and_draws(tmp_path, run_program):
     code, out, err = run_program("operating_point", path, "--hz", 0.5, "--mm", 0.1, "--starts", "share", 0.8, "--formats", "png")
     assert (code, err) == (0, "")
     assert "peak force from 80 % of the starts, drift ±0.5 Hz, ±0.1 mm" in out and "smallest share" in out
-    best = next(line for line in out.splitlines() if line.startswith("best: frequency"))
-    assert " Hz (frequency_ratio " in best and " mm (gap_ratio " in best and best.endswith(" N in all cells of its box")
+    best = next(line for line in out.splitlines() if line.startswith("best: frequency_ratio"))
+    assert " Hz), gap_ratio " in best and " mm), z = " in best and best.endswith(" N in all cells of its box")
     assert (tmp_path / "pictures" / "a_operating_point.png").stat().st_size > 5000
 
 
@@ -262,7 +263,7 @@ def test_a_box_is_told_and_drawn_as_large_as_it_is_counted(tmp_path, run_program
 
 
 @pytest.mark.parametrize("units, heads, best, below, above", [
-    ("both", "frequency [Hz]  gap [mm]", "frequency 9.9 Hz (frequency_ratio 2.2), gap 0.534 mm (gap_ratio 0.6)", True, True),
+    ("both", "frequency [Hz]  gap [mm]", "frequency_ratio 2.2 (9.9 Hz), gap_ratio 0.6 (0.534 mm)", True, True),
     ("si", "frequency [Hz]  gap [mm]", "frequency 9.9 Hz, gap 0.534 mm", False, True),
     ("ratio", "frequency_ratio  gap_ratio", "frequency_ratio 2.2, gap_ratio 0.6", True, False)])
 def test_units_are_those_asked_for(tmp_path, run_program, monkeypatch, units, heads, best, below, above):
@@ -285,7 +286,7 @@ def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
 @pytest.mark.parametrize("label, force, words", [
     (orbit(1, 2), 50.0, r"doesn't hold: 289 of 289 cells of the finer box have another regime"),
     (ONE, 1e4, r"falls short by 9[\d.]+ %: of 289 cells of the finer box, all of the same regime, the worst has [12]\d\d(\.\d)? N, at "
-               r"frequency [\d.]+ Hz \(frequency_ratio [\d.]+\), gap [\d.]+ mm \(gap_ratio [\d.]+\)"),
+               r"frequency_ratio [\d.]+ \([\d.]+ Hz\), gap_ratio [\d.]+ \([\d.]+ mm\)"),
     (ONE, 1.0, r"holds in all 289 cells of the finer box: the worst has [12]\d\d(\.\d)? N"),
 ])
 def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, label, force, words):
@@ -308,7 +309,6 @@ def test_the_label_of_the_best_place_covers_no_other_box(tmp_path):
                               (Quantity("peak_force", "peak force", 1.0, "N"), "from the job's own start", "drift"))
         ax = figure.axes[0]
         label = next(text for text in ax.texts if text.get_text().startswith("1/1"))
-        label.update_positions(figure.canvas.get_renderer())
         return ax.transData.inverted().transform(matplotlib.text.Text.get_window_extent(label, figure.canvas.get_renderer())), reaches
 
     with PeterkaFile(tmp_path / "a.h5") as file:
@@ -329,6 +329,26 @@ def test_a_label_without_room_at_its_place_stands_near_it():
     across, up = ax.texts[-1].get_position()
     plt.close(figure)
     assert ax.texts[-1].get_text() == "best place" and np.hypot(across - 0.8, up - 0.75) < 0.45
+
+
+@pytest.mark.parametrize("left, low, width, height", [
+    (0.4, 0.4, 0.1, 0.1), (0.02, 0.02, 0.1, 0.1), (0.9, 0.9, 0.08, 0.09), (0.05, 0.4, 0.9, 0.2), (0.4, 0.05, 0.2, 0.9)])
+@pytest.mark.parametrize("crowd", [0, 3])
+def test_the_label_of_a_box_stands_beside_it_and_never_over_it(left, low, width, height, crowd):
+    figure = plt.figure(figsize=(3.7, 3.7))
+    ax = figure.add_axes((0.1, 0.1, 0.8, 0.8), xlim=(0, 1), ylim=(0, 1))
+    for number in range(crowd):  # other boxes, with their numbers, right and left of it
+        other = Rectangle((left + (1 - 2 * (number % 2)) * (width + 0.02), low), width, height, gid=SEEN)
+        ax.add_patch(other)
+        ax.text(*other.get_center(), str(number), ha="center", va="center", fontsize=6.5, clip_on=True)
+    box = ax.add_patch(Rectangle((left, low), width, height)).get_window_extent()
+    assert write_near_box(ax, box, "2/3, 612.3 N")
+    label = ax.texts[-1].get_window_extent()
+    assert not label.overlaps(box) and not any(label.overlaps(text.get_window_extent()) for text in ax.texts[:-1])
+    assert ax.bbox.x0 <= label.x0 and label.x1 <= ax.bbox.x1 and ax.bbox.y0 <= label.y0 and label.y1 <= ax.bbox.y1
+    gap = np.maximum(np.maximum(label.min - box.max, box.min - label.max), 0)
+    assert np.hypot(*gap) < 32 / 72 * figure.dpi, "farther than 30 pt"
+    plt.close(figure)
 
 
 @pytest.mark.parametrize("arguments, reason", [

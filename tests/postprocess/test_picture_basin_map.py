@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from peterka.plotting import axes, style
 from peterka.plotting.figures import figure_of
 from peterka.maps import basin_map
 from peterka.maps.map_file import PeterkaFile
@@ -146,3 +147,15 @@ def test_a_motion_without_impact_that_no_start_found_is_told(tmp_path, damping, 
     with PeterkaFile(write_basin(tmp_path / "a.h5", cells, TABLE[1:2], gap_ratio=gap, **more)) as file:
         texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
     assert ("a motion without impact exists, too:\nnone of these starts ends on it" in texts) == told
+
+
+@pytest.mark.parametrize("place, units, words", [
+    ("frequency_hz = 8.1\ngap_ratio = 1.6", "both", "frequency = 8.1 Hz, gap/A₀ = 1.6"),
+    ("frequency_ratio = 1.8\ngap_m = 1.424e-3", "both", "Ω/ω = 1.8, gap = 1.424 mm"),
+    ("frequency_hz = 8.1\ngap_m = 1.424e-3", "ratio", "Ω/ω = 1.8, gap/A₀ = 1.6"),
+])
+def test_the_title_has_the_place_in_the_units_of_the_job(tmp_path, place, units, words):
+    path = write_basin(tmp_path / "a.h5", frequency_ratio=1.8, gap_ratio=1.6, natural_frequency_hz=4.5, cart_amplitude_m=0.89e-3,
+                       job=f"schema = 1\n[operating_point]\n{place}\n")
+    with PeterkaFile(path) as file, style.using(units=units):
+        assert axes.operating_point(file) == words

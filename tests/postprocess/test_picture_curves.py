@@ -1,14 +1,19 @@
 """Pictures of curves: each kind by its line style, special points by letters, p/q at the curves, in the right place."""
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from curves_samples import LINES, write_curves, write_distances
 from peterka.export.formats import export
+from peterka.cli.picture_options import zoomed
 from peterka.errors import PeterkaFileError
 from peterka.plotting import axes, style
 from peterka.maps import curves_map, edge_distance_map
 from peterka.maps.curves_file import CurvesFile
+from peterka.maps.curves_over import read_lines
 from peterka.pictures import open_file, pictures_of
+from picture_samples import PLAIN, write_map
+from sealing import SealedFile
 
 
 def drawn(path, picture, tmp_path):
@@ -133,3 +138,83 @@ def test_distances_are_exported_in_hertz_and_millimetres(tmp_path):
     assert len(known) == (kinds == 0).sum()
     assert {row["edge_distance_frequency_hz"] for row in known} == {"-0.4"}
     assert {row["edge_distance_gap_mm"] for row in known} == {"-0.1"}
+
+
+JOB = """
+schema = 1
+hammer = { mass_kg = 0.298, natural_frequency_hz = 4.0, damping_ns_per_m = 0.06 }
+cart = { amplitude_m = 1e-3 }
+contact = { law = "kelvin_voigt", stiffness_n_per_m = 5.5e6, damping_ns_per_m = 1.2e3 }
+axes = { %s = { from = 1, to = 4, points = 4 }, %s = { from = 0, to = 3, points = 4 } }
+"""
+OF_RIG = {"cart_amplitude_m": 1e-3, "natural_frequency_hz": 4.0}
+
+
+def in_si(path):
+    """Brings the axes of a map to Hz and m."""
+    with SealedFile(path, "r+") as file:
+        for ratio, unit, twin in (("frequency_ratio", 4.0, "frequency_hz"), ("gap_ratio", 1e-3, "gap_m")):
+            file[ratio][...] *= unit
+            file.move(ratio, twin)
+    return path
+
+
+@pytest.mark.parametrize("unit", ["ratio", "si"])
+@pytest.mark.parametrize("ends, kinds, words, specials", [
+    ((1.4, 2.6, 0.4, 2.6), ["fold", "grazing"], {"1/1", "3/2", "F", "C"}, 2),
+    ((1.6, 3.4, 0.6, 2.4), ["fold", "period_doubling", "grazing"], {"1/1", "1/2"}, 0),
+    ((2.6, 4.4, 0.6, 3.4), ["period_doubling", "grazing"], {"1/2"}, 0)])
+def test_a_part_is_shown_of_curves_in_either_unit(tmp_path, ends, kinds, words, specials, unit):
+    path = write_curves(tmp_path / "a.h5", **OF_RIG)
+    factors = (4.0, 4.0, 1.0, 1.0) if unit == "si" else (1.0,) * 4
+    with open_file(path) as whole:
+        part = zoomed(whole, tuple(end * factor for end, factor in zip(ends, factors)), unit == "si")
+        assert [curve.kind for curve in part.curves] == kinds and len(part.specials) == specials
+        for name in ("curves", "curves_over_map"):
+            ax = pictures_of(part)[name](part)
+            assert ax.get_xlim() == pytest.approx(ends[:2]) and ax.get_ylim() == pytest.approx(ends[2:])
+            assert {text.get_text() for text in ax.texts} >= words
+            plt.close(ax.figure)
+
+
+def test_a_curve_that_leaves_the_window_and_comes_back_has_two_parts(tmp_path):
+    bow = [(0, 1, 1, [(1.5, 1.0), (1.6, 1.6), (1.8, 2.6), (2.2, 2.6), (2.4, 1.6), (2.5, 1.0)])]
+    with open_file(write_curves(tmp_path / "a.h5", bow, specials=[], **OF_RIG)) as whole:
+        part = zoomed(whole, (1.0, 4.0, 0.5, 2.0), False)
+        assert [curve.rows.tolist() for curve in part.curves] == [[1.0, 1.6, 2.6], [2.6, 1.6, 1.0]]
+        assert [rows.tolist() for rows in part.along_curves("point_gap_ratio")] == [[1.0, 1.6, 2.6], [2.6, 1.6, 1.0]]
+
+
+@pytest.mark.parametrize("unit", ["ratio", "si"])
+def test_curves_lie_over_a_map_of_the_same_rig_in_either_unit(tmp_path, run_program, unit):
+    curves = write_curves(tmp_path / "curves.h5", job=JOB % ("frequency_ratio", "gap_ratio"), **OF_RIG)
+    names = ("frequency_hz", "gap_m") if unit == "si" else ("frequency_ratio", "gap_ratio")
+    path = write_map(tmp_path / "map.h5", PLAIN, job=JOB % names, **OF_RIG)
+    if unit == "si":
+        in_si(path)
+    with open_file(path) as file:
+        lines = read_lines(curves, file)
+        ax = pictures_of(file, curves=lines)["curves_over_map"](file)
+        drawn = [line.get_xydata() for line in ax.lines if len(line.get_xydata()) == 3]
+        assert [line.tolist() for line in drawn] == [[list(map(float, point)) for point in points] for *_, points in LINES]
+        assert "curves_over_map" not in pictures_of(file)
+        plt.close(ax.figure)
+    code, _, err = run_program("draw", path, "--curves", curves, "--only", "curves_over_map", "--output-dir", tmp_path)
+    assert code == 0 and (tmp_path / "map_curves_over_map.png").exists(), err
+
+
+@pytest.mark.parametrize("old, new, reason", [
+    ("mass_kg = 0.298", "mass_kg = 0.3", "another rig or operating point"),
+    ("axes = { frequency_ratio", "axes = { contact.damping_ns_per_m", "is a map over frequency and gap"),
+])
+def test_curves_of_another_rig_or_plane_lie_over_no_map(tmp_path, run_program, old, new, reason):
+    job = JOB % ("frequency_ratio", "gap_ratio")
+    curves = write_curves(tmp_path / "curves.h5", job=job.replace(old, new), **OF_RIG)
+    if "axes" in old:
+        with SealedFile(curves, "r+") as file:
+            file.move("frequency_ratio", "contact_damping_ns_per_m")
+            for name in ("point", "special"):
+                file.move(f"{name}_frequency_ratio", f"{name}_contact_damping_ns_per_m")
+    path = write_map(tmp_path / "map.h5", PLAIN, job=job, **OF_RIG)
+    code, _, err = run_program("draw", path, "--curves", curves, "--output-dir", tmp_path)
+    assert code == 2 and reason in err and err.count("\n") == 1, err

@@ -329,6 +329,22 @@ def test_attractors_on_which_no_branch_is_are_told_too(tmp_path):
     assert branch.motion.title == "1/1 up and down" and branch.force == pytest.approx(32.5)
 
 
+@pytest.mark.parametrize("across, up", [(0.0, 0.4), (-1.0, 0.0)])
+def test_no_label_covers_the_cross_of_the_largest_force(tmp_path, across, up):
+    forces = np.full((4, 4), 10.0)
+    forces[0, 3] = 20.0
+    write_map(tmp_path / "m.h5", [[(1, 1, 1)] * 4] * 4, forces=forces)
+    (tmp_path / "p.csv").write_text(f"frequency_ratio,gap_ratio,label\n{4 + across},{up},110 Hz\n")
+    with PeterkaFile(tmp_path / "m.h5") as file:
+        found = read_measurements(tmp_path / "p.csv", file)
+    ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found, width=60)
+    (cross,) = [line for line in ax.lines if line.get_marker() == "x"]
+    (place,) = ax.transData.transform(cross.get_xydata())
+    (label,) = [text for text in ax.texts if text.get_text().startswith("110 Hz")]
+    box = matplotlib.text.Text.get_window_extent(label, ax.figure.canvas.get_renderer())
+    assert cross.get_xydata().tolist() == [[4.0, 0.0]] and not box.contains(*place)
+
+
 def test_labels_stand_at_their_own_points(tmp_path):
     """For three adjacent points each label is nearest to its own or has a line to it, and none is far."""
     found = points_of_map(tmp_path, "frequency_ratio,gap_ratio,label\n2,1.5,first of three\n2.2,1.5,second of three\n2.4,1.5,third of three\n")

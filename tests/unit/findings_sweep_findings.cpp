@@ -106,6 +106,22 @@ TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
     EXPECT_EQ(text.find("impact resonance"), std::string::npos) << text;
 }
 
+TEST(SweepSummary, IsInHertzMillimetresAndNewtonsWhereTheJobIs) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 4.5, .to = 9.0, .points = 6, .over = "frequency_hz"};
+    job.sweep = {.gap_ratio = {}, .gap_m = {0.89e-3}, .direction = job::Direction::both};
+    const std::vector<BranchFindings> branches{rising(), falling()};
+    const std::string text = sweep_text(scene::Scene(job), branches);
+    for (const char* words :
+         {"\nGap 0.89 mm (gap/A0 1)\n",
+          "175.3 N = 60 weights at frequency 6.3 Hz, where z = 1/1 ends with a jump: no resonance",
+          "6.75 Hz from 1/1 (175 N) to no impact (0 N)\n"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    }
+    EXPECT_EQ(text.find("Omega"), std::string::npos) << text;
+}
+
 TEST(SweepSummary, TwoMotionsWithOneLabelHaveTheirForces) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;

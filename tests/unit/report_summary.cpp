@@ -122,15 +122,37 @@ TEST(Summary, ClassesByFrequency) {
 
 TEST(Summary, ForcesInWeightsNewtonsHertzAndMillimetres) {
     const std::string text = summary(statistics_of_a_hundred_cells());
-    EXPECT_TRUE(contains(line_with(text, "of all"), "80 weights =    200 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of all"), "80 weights = 200 N")) << text;
     EXPECT_TRUE(contains(line_with(text, "of all"), "Omega/omega 2.5 (11.25 Hz), gap/A0 1 (0.89 mm)")) << text;
-    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "70 weights =    175 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "70 weights = 175 N")) << text;
     EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "Omega/omega 2 (9 Hz), gap/A0 0 (0 mm)")) << text;
+}
+
+TEST(Summary, AJobInHertzAndMetresIsToldInTheseFirst) {
+    job::Job job = job_of(job::Kind::map);
+    job.columns = {2.25, 20.25, 41, job::Spacing::linear, "frequency_hz"};
+    job.rows = {0.0, 4.45e-3, 51, job::Spacing::linear, "gap_m"};
+    const std::string text =
+        summary_text({scene::Scene(job), {statistics_of_a_hundred_cells(), {}, {}}, "maps/a.h5", {3, 12.5}});
+    EXPECT_TRUE(contains(line_with(text, "of all"), "200 N = 80 weights  ")) << text;
+    EXPECT_TRUE(
+        contains(line_with(text, "of all"), "frequency 11.25 Hz (Omega/omega 2.5), gap 0.89 mm (gap/A0 1)"))
+        << text;
+}
+
+TEST(Summary, ABasinIsToldInTheUnitsOfItsOwnPlaceAndStarts) {
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    job::Job job = job_of(job::Kind::basin);
+    job.columns = {-4.45e-3, 0.89e-3, 41, job::Spacing::linear, "displacement_m"};
+    job.operating_point = {1.8, 1.6, 8.1};
+    const std::string text = summary_text({scene::Scene(job), {statistics, {}, {}}, "maps/a.h5", {3, 12.5}});
+    EXPECT_TRUE(contains(text, "frequency 8.1 Hz (Omega/omega 1.8), gap/A0 1.6 (1.424 mm)")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of all"), "from x -1.78 mm, x'/(A0 omega) 1 (0.02516 m/s)")) << text;
 }
 
 TEST(Summary, ABasinNamesItsPointAndItsStarts) {
     const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::basin);
-    EXPECT_TRUE(contains(text, "Omega/omega 1.8 (8.1 Hz), gap/A0 1.6 (1.42 mm)")) << text;
+    EXPECT_TRUE(contains(text, "Omega/omega 1.8 (8.1 Hz), gap/A0 1.6 (1.424 mm)")) << text;
 }
 
 TEST(Summary, InABasinAnOrbitHasOneForceAndChaosOneForEachStart) {

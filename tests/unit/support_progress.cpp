@@ -66,6 +66,13 @@ TEST(Progress, LinesBeginWithOneThatSaysWhatIsToDo) {
               "peterka: 2,000 cells to compute, 1,000 already in the file\n");
 }
 
+TEST(Progress, WorkThatIsInNoFileSaysSoOfNone) {
+    ::testing::internal::CaptureStderr();
+    { Progress(ProgressStyle::lines, 3000, 0, {"follow", "edges", false}).add(1000); }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "peterka: 3,000 edges to follow\n");
+    EXPECT_EQ(progress_text({3000, 0, 1500, "edges"}, 10), " 50.0 %  150 edges/s  ETA 10.0 s");
+}
+
 TEST(Progress, SilentIsSilent) {
     ::testing::internal::CaptureStderr();
     { Progress(ProgressStyle::silent, 3000, 1000).add(2000); }

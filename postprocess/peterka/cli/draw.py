@@ -7,7 +7,8 @@
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
 audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
 or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement, multiplier,
-lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
+lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. With --curves, a file of curves
+of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
 300 cycles, or --after, would see. A map with [starts]
 gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most starts end), STEM_attractors_impact
 (share of starts that impact), STEM_share_... (share of each of the commonest z) and, where kicks are stored, STEM_kick.
@@ -38,6 +39,7 @@ from ..files.opened import OpenedFile
 from ..plotting import axes
 from ..plotting.figures import figure_of
 from ..plotting.style import using
+from ..maps.curves_over import read_lines
 from ..maps.map_file import PeterkaFile
 from ..measurements import map_residuals
 from ..measurements.points import Measurements, Point, read_measurements
@@ -50,7 +52,7 @@ from .picture_options import (
     add_style_arguments, check_style, style_of, zoomed,
 )
 from ..sweeps import residuals
-from ..sweeps.borders import NO_BORDERS, read_borders
+from ..sweeps.borders import NO_BORDERS, Border, read_borders
 from ..sweeps.borders import table as table_of_borders
 from ..sweeps.sweep_file import SweepFile
 from ..sweeps.unstable import NO_UNSTABLE, read_unstable
@@ -91,7 +93,7 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
                         help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
     parser.add_argument("--curves", metavar="CURVES.h5", type=Path,
-                        help="marks and lists where the motions of a sweep end or change, from curves with its gaps")
+                        help="marks and lists where the motions of a sweep end or change, from curves with its gaps; draws them over a map")
     arguments = parser.parse_args()
     check_style(parser, arguments)
     parser.refuse_equal_stems(arguments.files, "pictures")
@@ -120,8 +122,12 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
             tell(sentence)
         if measured.points:
             tell_residuals(file, measured.points)
-        borders = read_borders(arguments.curves, file) if arguments.curves else NO_BORDERS
-        unstable = NO_UNSTABLE
+        borders: Sequence[Border] = NO_BORDERS
+        unstable, curves = NO_UNSTABLE, None
+        if arguments.curves and isinstance(file, SweepFile):
+            borders = read_borders(arguments.curves, file)
+        elif arguments.curves:
+            curves = read_lines(arguments.curves, file)
         if borders:
             assert isinstance(file, SweepFile)
             unstable = read_unstable(arguments.curves, file, borders)
@@ -129,7 +135,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
                 tell(line)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
-        pictures = pictures_of(file, arguments.after, measured, borders, unstable)
+        pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves)
         for name, draw in chosen(file, pictures, arguments.only).items():
             drawn = draw(file)
             if drawn is None:

@@ -11,6 +11,7 @@ from ..files.coordinates import measured
 from ..files.opened import OpenedFile
 from ..plotting.coordinates import IN_MILLIMETRES
 from ..plotting.style import PALETTES, UNITS
+from ..maps.curves_file import CurvesFile
 from ..maps.map_file import PeterkaFile
 from ..pictures import open_file
 
@@ -84,7 +85,7 @@ def numbers_of(*counts: int) -> Callable[[str], tuple[float, ...]]:
 
 
 def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> OpenedFile:
-    """The part of a map, basin or sweep within (x0, x1, y0, y1), or between x0 and x1; the whole file without a zoom.
+    """The part of a map, basin, sweep or file of curves within (x0, x1, y0, y1), or between x0 and x1; the whole file without a zoom.
     Boundary cells of a plane are cut so that the picture ends exactly at the requested limits."""
     if not zoom:
         return file
@@ -108,6 +109,8 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     part = open_file(data)
     if isinstance(part, PeterkaFile):
         part.rows, part.columns = (_cut(axis, ends.get(axis.name)) for axis in (part.rows, part.columns))
+    if isinstance(part, CurvesFile):
+        part.cut_to_window()
     return part
 
 
@@ -138,8 +141,8 @@ def _inside(values, low, high):
 
 def _axes(file):
     """The horizontal and the vertical axis, each with its name, and its name and unit in the file."""
-    if file.kind in ("map", "basin"):
+    if file.kind in ("map", "basin", "curves"):
         return file.columns, file.rows
     if file.kind == "sweep":
         return (file.axis,)
-    raise file.refusal(f"is of kind {file.kind}; --zoom shows parts of maps, basins and sweeps")
+    raise file.refusal(f"is of kind {file.kind}; --zoom shows parts of maps, basins, sweeps and curves")

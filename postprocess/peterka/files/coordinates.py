@@ -1,9 +1,9 @@
 """The coordinates of a file in both of their units: the single place that pairs their names and converts ratios to SI units.
 
 A job may give frequency, gap and start as ratios or in Hz, m and m/s; the file names its axes and the coordinates of curves
-accordingly. Pictures and reports always use ratios, with SI units beside them or in their place: `coordinate` converts the
-stored numbers to ratios if the required scales are common to all cells of the file. If they are not, because an axis changes
-the rig, the coordinate stays as stored.
+accordingly. Pictures and computations always use ratios: `coordinate` converts the stored numbers to ratios if the required
+scales are common to all cells of the file. If they are not, because an axis changes the rig, the coordinate stays as stored.
+What is told in words has the job's own unit first, `leads_in_si`, and the other one beside it.
 """
 
 from dataclasses import dataclass
@@ -56,6 +56,20 @@ class Measured:
     what: str
     unit: str
     factor: float
+
+
+class Named(Protocol):
+    """A coordinate or an axis with its name as shown, and its name in the file."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def stored(self) -> str: ...
+
+
+def leads_in_si(stored: str) -> bool:
+    """Whether a coordinate is told in SI units first: where the job, and so the file, gives it so."""
+    return stored in RATIOS
 
 
 def unit_of(file: Scales, name: str) -> float | None:

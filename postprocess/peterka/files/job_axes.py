@@ -1,15 +1,32 @@
-"""Names of the coordinates of a map or sweep, in the order of its job's axes: columns first, then rows."""
+"""Names of the coordinates of a job: of its axes, columns first, then rows; and those that it gives in SI units."""
 
 import tomllib
+
+from .coordinates import RATIOS, leads_in_si
+
+LISTS = ("sweep", "operating_point")  # tables that give coordinates beside [axes]
 
 
 def axes_of_job(text: object) -> list[str]:
     """["contact_stiffness_n_per_m", "gap_ratio"] from a job's text; [] if it names none."""
-    try:
-        tables = tomllib.loads(text).get("axes", {}) if isinstance(text, str) else {}
-    except (tomllib.TOMLDecodeError, RecursionError):
-        return []
+    tables = _job(text).get("axes", {})
     return list(_names(tables, "")) if isinstance(tables, dict) else []
+
+
+def given_in_si(text: object) -> frozenset[str]:
+    """The coordinates, by the names of their ratios, that a job gives in SI units, on an axis, in a list or as one value:
+    these are told in Hz, mm and m/s first."""
+    names = set(axes_of_job(text))
+    for table in (_job(text).get(name) for name in LISTS):
+        names |= set(table) if isinstance(table, dict) else set()
+    return frozenset(RATIOS[name] for name in names if leads_in_si(name))
+
+
+def _job(text):
+    try:
+        return tomllib.loads(text) if isinstance(text, str) else {}
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return {}
 
 
 def _names(tables, before):

@@ -15,6 +15,7 @@ from ..errors import PeterkaFileError
 from .checked_hdf5 import LARGEST, CheckedFile, is_number, shown
 from .dataset_content import DatasetContent
 from .harmless import harmless
+from .job_axes import given_in_si
 
 if TYPE_CHECKING:
     import xarray
@@ -54,6 +55,11 @@ class OpenedFile:
 
     def check_content(self) -> None:
         """Checks nothing beyond the header."""
+
+    @cached_property
+    def given_in_si(self) -> frozenset[str]:
+        """The coordinates, by the names of their ratios, that its job gives in SI units."""
+        return given_in_si(self.data.attribute("job"))
 
     @property
     def computed(self) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..files.coordinates import Coordinate
+from ..plotting.coordinates import called, span_in_words
 from .map_file import BAND_CELLS, Axis, PeterkaFile, axis_of
 
 SAME_POINT = 1e-9  # of the length of an axis: smaller differences are rounding
@@ -70,7 +71,7 @@ class CommonPlane:
         same = np.abs(fine.values[nearest] - coarse.values) <= SAME_POINT * length
         if same.sum() < min(2, len(coarse.values)):
             a, b = axes
-            raise self.second.refusal(f"has {_span(b)}, and {self.first.path} has {_span(a)}: only cells at the same places "
+            raise self.second.refusal(f"has {_span(self.second, b)}, and {self.first.path} has {_span(self.first, a)}: only cells at the same places "
                                       "can be compared, two along each axis at least; compute one of them again with an axis "
                                       "whose points fall on the other's")
         of_coarse, of_fine = np.flatnonzero(same), nearest[same]
@@ -92,9 +93,9 @@ def _nearest(fine, coarse):
 
 
 def _axes(file):
-    return f"{file.columns.name} and {file.rows.name}"
+    return f"{called(file, file.columns)} and {called(file, file.rows)}"
 
 
-def _span(axis):
+def _span(file, axis):
     spacing = ", evenly in the logarithm" if axis.log else ""
-    return f"{len(axis.values)} points of {axis.name} from {axis.values[0]:.6g} to {axis.values[-1]:.6g}{spacing}"
+    return f"{len(axis.values)} points of {span_in_words(file, axis, axis.values[0], axis.values[-1])}{spacing}"

@@ -124,8 +124,8 @@ def _force_lines(comparison):
     for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
         (row, column), plane = comparison.place[extreme], comparison.plane
         lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at "
-                     f"{in_words(plane, plane.columns.name, plane.columns.values[column], 6)}, "
-                     f"{in_words(plane, plane.rows.name, plane.rows.values[row], 6)}")
+                     f"{in_words(plane, plane.columns, plane.columns.values[column], 6)}, "
+                     f"{in_words(plane, plane.rows, plane.rows.values[row], 6)}")
     return lines
 
 

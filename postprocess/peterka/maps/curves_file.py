@@ -2,13 +2,16 @@
 and the special points on them.
 """
 
-from dataclasses import dataclass
+import tomllib
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL
-from .map_file import PeterkaFile
+from ..files.job_axes import axes_of_job
+from ..files.opened import OpenedFile
+from .map_file import Axis, PeterkaFile
 
 KINDS = ("fold", "period_doubling", "grazing")
 SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
@@ -64,11 +67,20 @@ class UnstableBranch:
     impact_displacement: np.ndarray
 
 
+@dataclass(frozen=True)
+class Lines:
+    """What is drawn of a file of curves: its curves and special points, on the axes of a picture's columns and rows."""
+
+    curves: list[Curve]
+    specials: list[Special]
+
+
 class CurvesFile(PeterkaFile):
     """A checked, open file of curves: the coarse map, `curves`, `specials`, `crossings`, `unstable_branches` and
     has_edge_distance. Crossings and branches exist only for planes of frequency and gap."""
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
+    _parts: list[slice]  # of each curve, among the points of all
 
     def check_content(self) -> None:
         """Sets the documented members; raises PeterkaFileError for invalid content."""
@@ -86,6 +98,18 @@ class CurvesFile(PeterkaFile):
         """For each curve, the values of a dataset at its points."""
         values = self._column(name, REAL, self.data.dataset("point", None, INTEGER).shape)
         return [values[part] for part in self._parts]
+
+    @property
+    def lines(self) -> Lines:
+        """Its curves and special points."""
+        return Lines(self.curves, self.specials)
+
+    def cut_to_window(self) -> None:
+        """Leaves of the curves and special points what lies between the outer edges of its axes."""
+        kept = [(curve, part, stretch) for curve, part in zip(self.curves, self._parts if self.curves else [])
+                for stretch in stretches_within(curve, self.columns, self.rows)]
+        self._parts = [slice(part.start + stretch.start, part.start + stretch.stop) for _, part, stretch in kept]
+        self.curves, self.specials = within(self.lines, self.columns, self.rows)
 
     def _curves(self) -> list[Curve]:
         kinds = self._column("curve_kind", INTEGER)
@@ -162,3 +186,32 @@ class CurvesFile(PeterkaFile):
         if len(found) != 1 or not 1 <= found[0] <= MAX_POINTS:
             raise self.refusal(f"has {name} of shape {found}; 1 to {MAX_POINTS} can be drawn")
         return self.data.values(name, slice(None))
+
+
+def within(lines: Lines, columns: Axis, rows: Axis) -> tuple[list[Curve], list[Special]]:
+    """The parts of curves, and the special points, between the outer edges of both axes; a part goes one point beyond them."""
+    curves = [replace(curve, columns=curve.columns[part], rows=curve.rows[part])
+              for curve in lines.curves for part in stretches_within(curve, columns, rows)]
+    return curves, [special for special in lines.specials if columns.edges[0] <= special.column <= columns.edges[-1]
+                    and rows.edges[0] <= special.row <= rows.edges[-1]]
+
+
+def stretches_within(curve: Curve, columns: Axis, rows: Axis) -> list[slice]:
+    """Of a curve's points, the longest runs whose steps all come into the window."""
+    comes_in = np.ones(len(curve.rows) - 1, dtype=bool)
+    for values, axis in ((curve.columns, columns), (curve.rows, rows)):
+        comes_in &= np.maximum(values[1:], values[:-1]) >= axis.edges[0]
+        comes_in &= np.minimum(values[1:], values[:-1]) <= axis.edges[-1]
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], comes_in, [False]]).astype(int)))
+    return [slice(int(first), int(last) + 1) for first, last in zip(ends[::2], ends[1::2])]
+
+
+def rig_of(file: OpenedFile) -> dict[str, object]:
+    """{table.key: number} of hammer, cart and stop in a file's job, but for what its axes vary."""
+    text = file.data.attribute("job")
+    axes = axes_of_job(text)
+    try:
+        job = tomllib.loads(text if isinstance(text, str) else "")
+        return {f"{name}.{key}": value for name in RIG for key, value in job[name].items() if f"{name}_{key}" not in axes}
+    except (tomllib.TOMLDecodeError, KeyError, AttributeError, RecursionError) as error:
+        raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error

@@ -1,4 +1,4 @@
-"""Boundaries of regimes: the curves of a window, over the coarse map in which they were searched or alone.
+"""Boundaries of regimes: the curves of a window, alone, over the coarse map in which they were searched, or over another map.
 
 Folds are solid, period doublings dashed, grazings dotted; letters mark the special points, once for coinciding ones. The
 longest curves are labelled with z = p/q of the orbit on the stable side.
@@ -11,7 +11,8 @@ from matplotlib.lines import Line2D
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX
 from ..plotting.picture import picture
-from .curves_file import CurvesFile
+from .curves_file import CurvesFile, Lines, within
+from .map_file import PeterkaFile
 from .peterka_map import WIDTH, legend_entries
 from .reduce import orbit_picture
 
@@ -36,34 +37,43 @@ ASIDE = 0.028  # of the picture, between a point and its letters
 @picture(CurvesFile)
 def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The curves alone; None without any."""
-    return _draw(file, ax, over_map=False) if file.curves else None
+    return _draw(file, file.lines, ax) if file.curves else None
 
 
 @picture(CurvesFile)
 def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The curves over the coarse map."""
-    return _draw(file, ax, over_map=True) if file.curves else None
+    return _draw(file, file.lines, ax, over="coarse map") if file.curves else None
 
 
-def _draw(file, ax, over_map):
+@picture(PeterkaFile)
+def draw_over_map_of(file: PeterkaFile, ax: Axes | None = None, *, curves: Lines) -> Axes | None:
+    """The curves of another file over a map; None where none lies within it."""
+    lines = Lines(*within(curves, file.columns, file.rows))
+    return _draw(file, lines, ax, over="map") if lines.curves else None
+
+
+def _draw(file, lines, ax, over=None):
+    """`over`: what the cells are called that are drawn below the curves; None for curves alone."""
+    over_map = over is not None
     reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
-    kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in file.curves)]
+    kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in lines.curves)]
     curves = [Line2D([], [], label=WORDS[kind], **_look(kind, over_map)) for kind in kinds]
-    specials = [kind for kind in LETTERS if any(special.kind == kind for special in file.specials)]
+    specials = [kind for kind in LETTERS if any(special.kind == kind for special in lines.specials)]
     letters = [Line2D([], [], linestyle="none", marker=f"${LETTERS[kind][0]}$", markersize=5, color="black",
                       label=LETTERS[kind][1]) for kind in specials]
     legends = [(curves, 1, None), (letters, 2, "special points (several letters: several together)")]
     if over_map:
         orbits, regimes = legend_entries(counts, file.observed_chaos)
-        legends = [(orbits, 3, "$z = p/q$ (share of the coarse map)"), (regimes, 2, None), *legends]
+        legends = [(orbits, 3, f"$z = p/q$ (share of the {over})"), (regimes, 2, None), *legends]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     if over_map:
         axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
-    for curve in file.curves:
+    for curve in lines.curves:
         ax.plot(curve.columns, curve.rows, **_look(curve.kind, over_map))
-    taken = _write_names(ax, file)
-    _write_letters(ax, file, taken)
+    taken = _write_names(ax, lines)
+    _write_letters(ax, lines, taken)
     axes.write_title(figure, file, "where regimes end", ax=ax)
     return ax
 
@@ -83,14 +93,16 @@ def _has_room(place, taken):
     return inside and not _is_near(place, taken, APART)
 
 
-def _write_names(ax, file):
+def _write_names(ax, lines):
     """Writes z = p/q at the middle of the longest curves, where space permits; returns the occupied positions."""
     taken = []
-    ways = [_in_picture(ax, curve.columns, curve.rows) for curve in file.curves]
+    ways = [_in_picture(ax, curve.columns, curve.rows) for curve in lines.curves]
     lengths = [float(np.sum(np.hypot(*np.diff(way, axis=0).T))) for way in ways]
     for number in np.argsort(lengths, kind="stable")[::-1][:MOST_NAMES]:
-        curve = file.curves[number]
-        place = ways[number][len(curve.rows) // 2]
+        curve, inside = lines.curves[number], ways[number][np.all((ways[number] > 0) & (ways[number] < 1), axis=1)]
+        if not len(inside):
+            continue
+        place = inside[len(inside) // 2]
         if not _has_room(place, taken):
             continue
         taken.append(place)
@@ -99,12 +111,12 @@ def _write_names(ax, file):
     return taken
 
 
-def _write_letters(ax, file, taken):
+def _write_letters(ax, lines, taken):
     """Draws a dot at each special point, with letters once per group of close points, on the side with the fewest lines."""
-    lines = np.concatenate([_in_picture(ax, curve.columns, curve.rows) for curve in file.curves])
-    places = [_in_picture(ax, special.column, special.row) for special in file.specials]
+    ways = np.concatenate([_in_picture(ax, curve.columns, curve.rows) for curve in lines.curves])
+    places = [_in_picture(ax, special.column, special.row) for special in lines.specials]
     dots, groups = [], []  # a group: its position, and the kinds of its points
-    for special, place in zip(file.specials, places):
+    for special, place in zip(lines.specials, places):
         if not _is_near(place, dots, SAME_DOT):
             dots.append(place)
             ax.plot(*place, marker=".", markersize=3, color="black", markeredgecolor="white", markeredgewidth=0.3,
@@ -119,7 +131,7 @@ def _write_letters(ax, file, taken):
         sides = [place + ASIDE * np.array(side) * [1 + 0.3 * len(word), 1] for side in ((1, 1), (-1, 1), (1, -1), (-1, -1))]
         free = [side for side in sides if _has_room(side, taken)]
         if free:
-            at = max(free, key=lambda side: np.min(np.hypot(*(lines - side).T)))
+            at = max(free, key=lambda side: np.min(np.hypot(*(ways - side).T)))
             taken.append(at)
             ax.text(*at, word, transform=ax.transAxes, fontsize=6, weight="bold", ha="center", va="center",
                     path_effects=axes.outline(1.6))

@@ -18,6 +18,7 @@ from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, classify
 from ..plotting.fills import Fill, grey
 from ..plotting.notes import write_beside
+from ..plotting.seen import SEEN
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from .map_file import PeterkaFile
@@ -171,7 +172,7 @@ def _mark(ax, peak, text):
     """Draws a cross at the largest value, with its text beside it."""
     ax.plot(
         peak.column_value, peak.row_value, marker="x", markersize=5, markeredgewidth=1.2, color="black", clip_on=False,
-        path_effects=axes.outline(2.4), zorder=6,
+        path_effects=axes.outline(2.4), zorder=6, gid=SEEN,
     )
     where = ", on the map's border" if peak.on_border else ""
     write_beside(ax, peak.column_value, peak.row_value, f"max {text}{where}")

@@ -8,7 +8,7 @@ from matplotlib.patches import Rectangle
 
 from ..arrays import Reals
 from ..plotting import axes, style, units
-from ..plotting.notes import write_beside
+from ..plotting.notes import write_near_box
 from ..plotting.seen import SEEN
 from ..maps.map_file import PeterkaFile
 from ..maps.reduce import block_size, largest, with_edges
@@ -55,6 +55,7 @@ def _show_computed(ax, file, block):
 
 
 def _mark(ax, file, places, rows, columns, quantity):
+    boxes = []
     for number, place in reversed(list(enumerate(places, 1))):
         x, y = file.columns.values[place.column], file.rows.values[place.row]
         (left, right), (low, high) = columns.ends(file.columns.values, place.column), rows.ends(file.rows.values, place.row)
@@ -63,10 +64,11 @@ def _mark(ax, file, places, rows, columns, quantity):
         if number > 1:
             box.set_gid(SEEN)
         ax.add_patch(box)
+        boxes.append(box)
         if number > 1:
             ax.text(x, y, str(number), ha="center", va="center", fontsize=6.5, path_effects=axes.outline(1.6), zorder=6,
                     clip_on=True)
     best = places[0]
     x, y = file.columns.values[best.column], file.rows.values[best.row]
     ax.plot(x, y, marker="x", markersize=4, markeredgewidth=1.1, color="black", path_effects=axes.outline(2.4), zorder=7)
-    write_beside(ax, x, y, f"{best.orbit[0]}/{best.orbit[1]}, {units.amount(quantity.factor * best.worst, quantity.unit)}")
+    write_near_box(ax, boxes[-1].get_window_extent(), f"{best.orbit[0]}/{best.orbit[1]}, {units.amount(quantity.factor * best.worst, quantity.unit)}")

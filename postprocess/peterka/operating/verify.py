@@ -1,6 +1,7 @@
 """Recomputes the box around a place with the program itself: the map's job on a finer grid, with the same starts."""
 
 import os
+import re
 import subprocess
 import tomllib
 from dataclasses import dataclass
@@ -18,6 +19,8 @@ from .places import Place
 FINER, FEWEST, MOST = 4, 17, 129  # points per step of the map, and along a side
 ROUNDING = 1e-6  # of a value: both grids contain the box' corners, but their coordinates differ in the last bits
 NARROW = 1e-6  # of a step: the width of a box along an axis without drift
+# The gaps at which borders are told may lie outside the box.
+OF_THE_WHOLE_MAP = re.compile(r"^\[curves\]\n.*?(?=^\[|\Z)", re.MULTILINE | re.DOTALL)
 BINARY = Path(__file__).resolve().parents[3] / "build" / "peterka"
 
 
@@ -51,7 +54,7 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
         sizes[paths[name]] = _finer(axis, along, at)
     folder.mkdir(parents=True, exist_ok=True)
     job, box = folder / f"{file.path.stem}_box.toml", folder / f"{file.path.stem}_box.h5"
-    write_text(job, text)
+    write_text(job, OF_THE_WHOLE_MAP.sub("", text))
     _run(job, box, sizes, file, ranks, binary)
     with PeterkaFile(box) as finer:
         found = admitted(finer, starts, quantity.name)
@@ -88,8 +91,8 @@ def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity
     if found.holds(place):
         return f"it holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
     return (f"it falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
-            f"has {worst:.4g} {unit}, at {in_words(file, file.columns.name, found.at[1], 6)}, "
-            f"{in_words(file, file.rows.name, found.at[0], 6)}")
+            f"has {worst:.4g} {unit}, at {in_words(file, file.columns, found.at[1], 6)}, "
+            f"{in_words(file, file.rows, found.at[0], 6)}")
 
 
 def _tables(table, path):

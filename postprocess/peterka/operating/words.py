@@ -50,7 +50,7 @@ def boxes_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> tuple[str,
 
 def place_in_words(file: PeterkaFile, place: Place) -> str:
     """Where a place is."""
-    return ", ".join(in_words(file, axis.name, axis.values[at]) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
+    return ", ".join(in_words(file, axis, axis.values[at]) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
 
 
 def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:

@@ -49,14 +49,14 @@ class MapPage extends Page {
     this.panel.show(this.rig.cell, inFile, cell && !this.rig.differs ? inFile : null);
   }
   #placeWords({ hertz, amplitude_m: amplitude, frequency_ratio: frequency, gap_ratio: gap, displacement_ratio: x, velocity_ratio: v }) {
-    const parts = [`Ω/ω ${digits(frequency, 5)}`, hertz && `${digits(frequency * hertz, 4)} Hz`, `gap/A₀ ${digits(gap, 4)}`,
-      amplitude && `${digits(1000 * gap * amplitude, 4)} mm`];
+    const parts = [bothUnits({ name: "frequency_ratio", symbol: "Ω/ω", factor: hertz, unit: "Hz" }, frequency),
+      bothUnits({ name: "gap_ratio", symbol: "gap/A₀", factor: amplitude && 1000 * amplitude, unit: "mm" }, gap, 4)];
     for (const axis of [file.columns, file.rows]) {
       if (USUAL_AXES.includes(axis.name)) continue;
       const value = this.rig.place[axis === file.columns ? 0 : 1];
       parts.push(`${axis.about} ${digits(value * (axis.factor ?? 1), 4)} ${axis.unit}`.trim());
     }
-    if (file.isBasin) parts.push(`from x/A₀ ${digits(x, 4)}, ẋ/(A₀ω) ${digits(v, 4)}`);
+    if (file.isBasin) parts.push(`from ${bothUnits(file.columns, x, 4)}, ${bothUnits(file.rows, v, 4)}`);
     return parts.filter(Boolean).join(" · ");
   }
   readOut(cell) {

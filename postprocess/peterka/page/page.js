@@ -146,9 +146,12 @@ class Page {
   }
 }
 
-// A coordinate in both of its units, to this many digits.
-function bothUnits({ symbol, factor, unit }, value, count = 5) {
-  return `${symbol} ${digits(value, count)}${factor ? ` · ${digits(value * factor, Math.max(count, 5) - 1)} ${unit}` : ""}`;
+// A coordinate in both of its units, to this many digits: first in the one in which the job gives it.
+function bothUnits({ name, symbol, factor, unit }, value, count = 5) {
+  const ratio = `${symbol} ${digits(value, count)}`;
+  if (!factor) return ratio;
+  const si = `${digits(value * factor, Math.max(count, 5) - 1)} ${unit}`;
+  return content.in_si.includes(name) ? `${si} · ${ratio}` : `${ratio} · ${si}`;
 }
 
 function factsWords(size) {

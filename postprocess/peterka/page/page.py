@@ -79,6 +79,7 @@ def _header(file, every):
         "hertz": file.positive("natural_frequency_hz"),
         "amplitude_m": file.positive("cart_amplitude_m"),
         "place": {name: file.number(name) for name in ("frequency_ratio", "gap_ratio")},
+        "in_si": sorted(file.given_in_si),
     }
 
 

@@ -121,10 +121,11 @@ def percent(share: float) -> str:
 
 
 def operating_point(file: AtPoint) -> str:
-    """Frequency and gap if common to all cells, as text: both for a basin, none for a map over both; in Hz and mm for
-    pictures in SI units alone, if the file gives them."""
-    in_si = style.current().units == "si"
-    hertz, metres = (unit_of(file, name) if in_si else None for name in ("frequency_ratio", "gap_ratio"))
+    """Frequency and gap if common to all cells, as text: both for a basin, none for a map over both; in Hz and mm where the job
+    gives them so, and for pictures in SI units alone, if the file tells the rig."""
+    units = style.current().units
+    hertz, metres = (unit_of(file, name) if units == "si" or (units == "both" and name in file.given_in_si) else None
+                     for name in ("frequency_ratio", "gap_ratio"))
     shared = [("Ω/ω", file.positive("frequency_ratio"), "frequency", hertz, "Hz"),
               ("gap/A₀", file.number("gap_ratio"), "gap", metres and 1000 * metres, "mm")]
     return ", ".join(f"{word} = {value * factor:.4g} {unit}" if factor else f"{name} = {value:.4g}"

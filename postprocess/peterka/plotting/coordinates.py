@@ -1,6 +1,6 @@
 """What axes are called: the words and units of everything over which a map or a sweep may run, and places on them in words."""
 
-from ..files.coordinates import TWINS, Measured, Scales, measured
+from ..files.coordinates import TWINS, Measured, Named, Scales, leads_in_si, measured
 from . import style
 
 LABELS = {
@@ -46,10 +46,28 @@ def spoken(file: Scales, name: str) -> Measured | None:
     return None if name in TWINS and style.current().units == "ratio" else measured(file, name)
 
 
-def in_words(file: Scales, name: str, value: float, digits: int = 5) -> str:
-    """A place on an axis: "frequency 9 Hz (frequency_ratio 2)", or one of both alone where these units are asked for."""
-    own, unit = f"{name} {value:.{digits}g}", spoken(file, name)
+def in_words(file: Scales, axis: Named, value: float, digits: int = 5) -> str:
+    """A place on an axis: "frequency 9 Hz (frequency_ratio 2)" where the job has it in Hz, "frequency_ratio 2 (9 Hz)" where as a
+    ratio, or one of both alone where these units are asked for."""
+    return _in_words(file, axis, lambda factor: f"{value * factor:.{digits}g}")
+
+
+def span_in_words(file: Scales, axis: Named, low: float, high: float, digits: int = 6) -> str:
+    """The same of a stretch of an axis: "frequency 4 to 14 Hz (frequency_ratio 0.9 to 3.1)"."""
+    return _in_words(file, axis, lambda factor: f"{low * factor:.{digits}g} to {high * factor:.{digits}g}")
+
+
+def _in_words(file, axis, numbers):
+    own, unit = f"{axis.name} {numbers(1.0)}", spoken(file, axis.name)
     if unit is None:
         return own
-    told = f"{unit.what} {value * unit.factor:.{digits}g} {unit.unit}"
-    return f"{told} ({own})" if name in TWINS and style.current().units == "both" else told
+    told = f"{numbers(unit.factor)} {unit.unit}"
+    if axis.name not in TWINS or style.current().units != "both":
+        return f"{unit.what} {told}"
+    return f"{unit.what} {told} ({own})" if leads_in_si(axis.stored) else f"{own} ({told})"
+
+
+def called(file: Scales, axis: Named) -> str:
+    """What an axis runs over, in a word: "frequency", "gap", or its name."""
+    unit = spoken(file, axis.name)
+    return unit.what if unit else axis.name

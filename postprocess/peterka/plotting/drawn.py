@@ -19,9 +19,12 @@ class InUnits(Protocol):
 
 
 class AtPoint(InUnits, Protocol):
-    """Also has plain numbers, which may be 0 or negative."""
+    """Also has plain numbers, which may be 0 or negative, and the coordinates that its job gives in SI units."""
 
     def number(self, name: str) -> float | None: ...
+
+    @property
+    def given_in_si(self) -> frozenset[str]: ...
 
 
 class PlaneAxis(Protocol):

@@ -1,7 +1,8 @@
 """Places a note beside a point of a picture where it fits: inside the axes, over no other text and no visible mark;
 otherwise farther away, with a line to its point. Without any free space it is omitted.
 
-A label of one of several points never goes far: it stays nearer to its own point than to any other."""
+A label of one of several points never goes far: it stays nearer to its own point than to any other. Nor does that of a box,
+which it never covers."""
 
 from itertools import product
 
@@ -67,6 +68,39 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
                     return True
     note.remove()
     return False
+
+
+def write_near_box(ax: Axes, box: Bbox, text: str) -> bool:
+    """Writes the label of a box of the picture [pixels], after the layout is computed: beside it, over no other text, and over
+    no other mark where there is room; smaller, or up to 30 pt away with a line to it, where it has to. Returns whether it fits."""
+    pixels = ax.get_figure().dpi / 72
+    texts = _taken(ax, [box.extents])
+    note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(2.4), zorder=7)
+    for taken in (np.concatenate([texts, seen.boxes(ax)]), texts):
+        for letters in (8, 6.5, 5):
+            note.set_fontsize(letters)
+            size = _box(note)
+            for away in (3, *NEAR, 30):
+                for moved in _around(box, size.width, size.height, pixels * away, ax.bbox):
+                    if _fits(moved, ax, taken):
+                        note.set_position(ax.transAxes.inverted().transform(moved.min))
+                        if away > LINED:
+                            _draw_line(ax, np.clip(moved.min + [size.width / 2, size.height / 2], box.min, box.max), moved)
+                        return True
+    note.remove()
+    return False
+
+
+def _around(box, width, height, away, inside):
+    """Places of this size at a distance from a box: above, below and at its sides, as far as the picture has room there."""
+    def along(low, high, length, first, last):
+        return min(max((low + high - length) / 2, first + AIR), last - AIR - length)
+
+    x = along(box.x0, box.x1, width, inside.x0, inside.x1)
+    y = along(box.y0, box.y1, height, inside.y0, inside.y1)
+    right, left, above, below = box.x1 + away, box.x0 - away - width, box.y1 + away, box.y0 - away - height
+    for low in ((right, y), (left, y), (x, above), (x, below), (right, above), (right, below), (left, above), (left, below)):
+        yield Bbox([low, (low[0] + width, low[1] + height)])
 
 
 def _taken(ax, marks):

@@ -4,7 +4,6 @@ The curves' job lists the sweep's gaps in curves.gap_ratio. Of all curves there,
 branch of the sweep has next to them.
 """
 
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +16,7 @@ from ..errors import PeterkaFileError
 from ..files.coordinates import coordinate
 from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
-from ..maps.curves_file import RIG, SAME_GAP, WORDS, CurvesFile
+from ..maps.curves_file import SAME_GAP, WORDS, CurvesFile, rig_of
 from ..maps.curves_map import COLOURS, LOOKS
 from ..plotting.coordinates import spoken
 from .sweep_file import SweepFile
@@ -44,7 +43,7 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
     if sweep.axis_name != "frequency_ratio":
         raise PeterkaFileError(f"{sweep.path} runs over {sweep.axis_name}; borders are drawn over a sweep of frequencies")
     with CurvesFile(path) as file:
-        if _rig(file) != _rig(sweep):
+        if rig_of(file) != rig_of(sweep):
             raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}")
         crossings = file.crossings
     borders = [Border(each.frequency_ratio, gap, each.curve.kind, each.curve.impacts, each.curve.period)
@@ -90,15 +89,6 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
 
 def _look(kind):
     return {"linestyle": LOOKS[kind]["linestyle"], "linewidth": 0.7}
-
-
-def _rig(file):
-    text = file.data.attribute("job")
-    try:
-        job = tomllib.loads(text if isinstance(text, str) else "")
-        return [job[name] for name in RIG]
-    except (tomllib.TOMLDecodeError, KeyError, RecursionError) as error:
-        raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error
 
 
 def _is_met(sweep, border):
