@@ -5,7 +5,8 @@
 Takes certified periodic cells, spread evenly over the file, and prints a line for each that is not decided or contradicted
 (with --all-words for each), then counts. Confirmed: exactly one orbit lies in a box near the cell's; its q is the smallest period,
 its p, its stability and its largest force are as the file tells. The job needs [certificate], and fields = ["orbit"] in [output].
-A cell takes from half a second to a minute. Exit codes: 0 no cell is contradicted; 1 one is; 2 a file cannot be read.
+A cell takes half a second with linear springs; with a cubic one seconds, some a minute and more.
+Exit codes: 0 no cell is contradicted; 1 one is; 2 a file cannot be read.
 """
 
 import argparse
