@@ -17,6 +17,7 @@ maps       maps and basins: the checked file, reduction to picture size, the pic
 sweeps     sweeps: frequency response and bifurcation diagrams, with measured points over them
 traces     a single cell in time: motion, phase plane, impact, spectra
 studies    comparisons of engines: work and precision, labels, stability
+second_proof   certified orbits proved once more, in another arithmetic and by another method
 export     maps and basins for other programs: CSV, VTK, MATLAB
 operating  choice of an operating point: worst case over a drift and over the starts, best places, verification of the box
 toml       a job's tables as TOML

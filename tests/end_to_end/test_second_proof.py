@@ -1,0 +1,120 @@
+"""check_proofs.py: all orbits of a small map are confirmed, and claims that were altered are not."""
+
+import dataclasses
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import jobs
+import launch
+
+POSTPROCESS = Path(__file__).parents[2] / "postprocess"
+sys.path.insert(0, str(POSTPROCESS))
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
+from peterka.cli.check_proofs import claims_of  # noqa: E402
+from peterka.second_proof import balls, cells  # noqa: E402
+from peterka.second_proof.balls import Ball  # noqa: E402
+
+
+def text(points, settings="", rig=jobs.RIG):
+    return (rig.format(kind="map", title="proofs") + jobs.axis("frequency_ratio", 1.4, 4.4, points)
+            + jobs.axis("gap_ratio", 0.1, 2.5, points) + f'[certificate]\ncells = "all"\n[output]\nfields = [{settings}]\n')
+
+
+def solved(folder, job):
+    jobs.write(folder, job)
+    finished = launch.run("run", "job.toml", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5"
+
+
+def check(path, *arguments):
+    return subprocess.run([sys.executable, POSTPROCESS / "check_proofs.py", path, *arguments], capture_output=True, text=True)
+
+
+@pytest.fixture(scope="module")
+def small_map(tmp_path_factory):
+    return solved(tmp_path_factory.mktemp("second"), text(4, '"orbit"'))
+
+
+@pytest.fixture(scope="module")
+def claims(small_map):
+    with PeterkaFile(small_map) as file:
+        return [(numbers, claim) for _, numbers, claim in claims_of(file, 100, 4)]
+
+
+def test_all_orbits_of_a_small_map_are_confirmed(small_map):
+    finished = check(small_map, "--max-period", "4")
+    assert finished.returncode == 0, finished.stderr
+    assert " 0 not decided, 0 contradicted" in finished.stdout
+    assert int(finished.stdout.split(" cells")[0].split()[-1]) >= 8
+
+
+def test_one_with_a_cubic_spring_is(tmp_path):
+    path = solved(tmp_path, text(3, '"orbit"', jobs.RIG.replace("[cart]", "cubic_stiffness_n_per_m3 = 238.23\n[cart]")))
+    assert ": 1 confirmed, 0 not decided, 0 contradicted" in check(path, "--cells", "1", "--max-period", "1").stdout
+
+
+def word(numbers, claim, **changes):
+    return cells.verdict_of(numbers, dataclasses.replace(claim, **changes)).word
+
+
+def test_altered_claims_are_contradicted(claims):
+    numbers, claim = next((numbers, claim) for numbers, claim in claims if claim.period == 1)
+    force, tiny = claim.force_upper, 1e-9 * claim.force_upper
+    assert word(numbers, claim) == cells.CONFIRMED
+    for changes in ({"force_lower": force + tiny, "force_upper": force + 2 * tiny},
+                    {"force_lower": force - 2 * tiny, "force_upper": force - tiny},
+                    {"stability_margin": claim.stability_margin * 1.001},
+                    {"impacts": claim.impacts + 1}, {"period": 2, "impacts": 2 * claim.impacts},
+                    {"period": 3, "impacts": 3 * claim.impacts}):
+        assert word(numbers, claim, **changes) == cells.CONTRADICTED, changes
+
+
+def test_other_orbits_and_other_rigs_are_not_confirmed(claims):
+    numbers, claim = claims[0]
+    for changes in ({"displacement": claim.displacement + 0.01}, {"velocity": claim.velocity - 0.01}, {"displacement": -5.0}):
+        assert word(numbers, claim, **changes) != cells.CONFIRMED
+    for key in ("operating_point.gap_ratio", "contact.stiffness_n_per_m", "hammer.damping_ns_per_m", "cart.amplitude_m"):
+        assert word({**numbers, key: numbers[key] * (1 + 1e-6)}, claim) != cells.CONFIRMED, key
+
+
+def test_a_file_without_orbits_is_refused(tmp_path):
+    finished = check(solved(tmp_path, text(2)))
+    assert finished.returncode == 2
+    assert "orbit" in finished.stderr
+
+
+@pytest.mark.parametrize("x, y", [(0.7, -1.3), (-2.5, 3.1), (1e-9, 1e9), (12.125, 0.1)])
+def test_balls_hold_what_exact_fractions_give(x, y):
+    def exact(ball):
+        return Fraction(ball.low, 1 << Ball.bits), Fraction(ball.high, 1 << Ball.bits)
+
+    def holds(ball, value):
+        low, high = exact(ball)
+        return low <= value <= high and high - low < Fraction(1 + abs(Fraction(y)), 1 << 60)
+
+    Ball.bits = 160
+    wide = Ball(Ball.of(x).middle, 1 << 80)
+    for change in (Fraction(-1, 1 << 80), 0, Fraction(1, 1 << 80)):
+        a, b = Fraction(x) + change, Fraction(y)
+        assert holds(wide + Ball.of(y), a + b) and holds(wide - Ball.of(y), a - b)
+        assert holds(wide * Ball.of(y), a * b) and holds(wide / Ball.of(y), a / b)
+        assert holds((wide * wide).sqrt(), abs(a)) and holds(wide.over(7), a / 7)
+    assert holds(balls.Series(wide, Ball.of(y)).at(Ball.of(x)), Fraction(x) + Fraction(y) * Fraction(x))
+
+
+def test_sine_and_cosine_and_pi():
+    Ball.bits = 160
+    sixth = Ball.of(1) / Ball.of(12)
+    half, root = balls.sine_cosine(sixth)[0], balls.sine_cosine(sixth)[1]
+    assert half.holds(Ball(1 << 159)) and half.radius < 1 << 10
+    three_quarters = root * root
+    assert three_quarters.holds(Ball(3 << 158)) and three_quarters.radius < 1 << 12
+    for turns in (-1.25, 0.0, 0.3, 7.5, 1e6 + 0.375):
+        sine, cosine = balls.sine_cosine(Ball.of(turns))
+        assert (sine * sine + cosine * cosine).holds(balls.one())
+    assert str(balls.pi().middle * 10**40 >> 160) == "31415926535897932384626433832795028841971"
