@@ -36,8 +36,9 @@ enum class OptionalField {
     critical_kick,
 };
 
-// The unit in the file; scene/scales.hpp converts from nondimensional numbers.
-enum class Dimension { label, number, force_over_weight, speed, impulse, time, power, length };
+// The unit in the file; scene/scales.hpp converts from nondimensional numbers. A bound of a speed has its unit
+// already: a conversion would round it.
+enum class Dimension { label, number, force_over_weight, speed, bound_of_speed, impulse, time, power, length };
 
 constexpr const char* unit_of(Dimension dimension) {
     switch (dimension) {
@@ -47,6 +48,7 @@ constexpr const char* unit_of(Dimension dimension) {
         case Dimension::force_over_weight:
             return "1";
         case Dimension::speed:
+        case Dimension::bound_of_speed:
             return "m/s";
         case Dimension::impulse:
             return "N s";
@@ -82,6 +84,7 @@ enum class StoredWhen {
     of_many_starts,
     of_rigid_stops,
     of_certificates,
+    of_certificates_of_rigid_stops,
     on_request
 };
 
@@ -180,6 +183,7 @@ inline constexpr StorageRule in_sweeps{StoredWhen::in_sweeps};
 inline constexpr StorageRule of_many_starts{StoredWhen::of_many_starts};
 inline constexpr StorageRule of_rigid_stops{StoredWhen::of_rigid_stops};
 inline constexpr StorageRule of_certificates{StoredWhen::of_certificates};
+inline constexpr StorageRule of_certificates_of_rigid_stops{StoredWhen::of_certificates_of_rigid_stops};
 inline constexpr StorageRule of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
 
@@ -235,6 +239,8 @@ inline constexpr Quantity rows[] = {
     {"certified", member([](auto& cell) -> auto& { return cell.certified; }), label, "what of the cell is proved in interval arithmetic, or why nothing is (negative)", of_certificates, never, usual, {}, certified_names, 3, first_certified},
     {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, "proved lower bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
     {"peak_force_upper_ratio", member([](auto& cell) -> auto& { return cell.force_upper; }), number, "proved upper bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
+    {"impact_speed_lower", member([](auto& cell) -> auto& { return cell.impact_speed_lower; }), bound_of_speed, "proved lower bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
+    {"impact_speed_upper", member([](auto& cell) -> auto& { return cell.impact_speed_upper; }), bound_of_speed, "proved upper bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
     {"stability_margin", member([](auto& cell) -> auto& { return cell.stability_margin; }), number, "proved lower bound of min(1 - |det M|, 1 + det M - |tr M|), M being the orbit's monodromy matrix", of_certificates, never, usual, {}, {}, 3},
     {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},

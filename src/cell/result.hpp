@@ -83,6 +83,8 @@ struct Result {
     Certified certified = Certified::not_tried;
     double force_lower = unknown;  // of the largest force F/(m g0)
     double force_upper = unknown;
+    double impact_speed_lower = unknown;  // of the largest impact speed on a rigid stop [m/s]
+    double impact_speed_upper = unknown;
     double stability_margin = unknown;  // lower bound of min(1 - |det M|, 1 + det M - |tr M|)
 };
 

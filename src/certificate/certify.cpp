@@ -1,5 +1,6 @@
 #include "certificate/certify.hpp"
 
+#include "certificate/chatter.hpp"
 #include "certificate/leg_proof.hpp"
 #include "certificate/orbit_box.hpp"
 #include "certificate/peak_force.hpp"
@@ -55,12 +56,40 @@ bool is_too_bent(const Phase<Interval>& phase) {
     return !(phase.largest_cubic_slope(u) * size_of(Interval(2) * pi / phase.frequency()) < 1);
 }
 
+// In A0 omega.
+Interval largest_impact_speed(const Places& places) {
+    Interval largest(0);
+    for (const Place<Interval>& place : places) largest = larger(largest, place.along);
+    return largest;
+}
+
+// An orbit that comes to rest on a rigid stop (chatter.hpp).
+Certificate certify_chatter(Springs<Interval>& springs, Springs<double>& approximate,
+                            const StroboscopicOrbit& orbit) {
+    if (!find_lift_off(springs)) return refused(Certified::no_orbit_found);
+    approximate.lift_off = springs.lift_off.middle();
+    const std::optional<EventChain> chain = find_chatter(springs, approximate, orbit);
+    if (!chain) return refused(Certified::no_orbit_found);
+    const std::optional<Places> places = orbit_box(springs, approximate, *chain);
+    if (!places) return refused(Certified::no_orbit_enclosed);
+    for (std::size_t i = 0; i + 1 < places->size(); ++i) {
+        if (!leg_is_free(springs, *chain, *places, i)) return refused(Certified::near_grazing);
+    }
+    const std::optional<double> later_speed = comes_to_rest(springs, *chain, *places);
+    if (!later_speed) return refused(Certified::near_grazing);
+    if (impacts_with_chatter(springs, *chain, *places) != orbit.impacts) return refused(Certified::other_label);
+    return {.verdict = Certified::orbit,
+            .impact_speed = larger(largest_impact_speed(*places), Interval(0, *later_speed)),
+            .stability_margin = 1};
+}
+
 Certificate certify_orbit(const Rig& rig, const StroboscopicOrbit& orbit) {
     if (orbit.period < 1) return refused(Certified::no_orbit_found);
-    const Springs<Interval> springs(rig);
+    Springs<Interval> springs(rig);
     if (is_too_bent(springs.flight)) return refused(Certified::cubic_spring);
-    const Springs<double> approximate(middle(rig));
+    Springs<double> approximate(middle(rig));
     const std::optional<EventChain> chain = find_chain(approximate, orbit);
+    if (!chain && rig.rigid) return certify_chatter(springs, approximate, orbit);
     if (!chain) return refused(Certified::no_orbit_found);
     if (chain->impacts() != orbit.impacts) return refused(Certified::other_label);
     const std::optional<Places> places = orbit_box(springs, approximate, *chain);
@@ -71,6 +100,11 @@ Certificate certify_orbit(const Rig& rig, const StroboscopicOrbit& orbit) {
     if (!has_no_smaller_period(*chain, *places)) return refused(Certified::other_label);
     const double margin = stability_margin(springs, *chain, *places);
     if (!(margin > 0)) return refused(Certified::not_surely_stable);
+    if (rig.rigid) {
+        return {.verdict = Certified::orbit,
+                .impact_speed = largest_impact_speed(*places),
+                .stability_margin = margin};
+    }
     const Interval force = peak_force(springs, *chain, *places);
     if (!force.positive()) return refused(Certified::force_not_bounded);
     return {.verdict = Certified::orbit, .force_ratio = force, .stability_margin = margin};
@@ -90,6 +124,7 @@ Certificate certify_steady(const Rig& rig, bool presses, const EnclosedStart& st
     const bool from_start = keeps_to_phase(springs, presses, *motion, state);
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .force_ratio = motion->force,
+            .impact_speed = rig.rigid ? Interval(0) : nothing(),
             .stability_margin = motion->margin};
 }
 
@@ -110,6 +145,8 @@ Certificate certify(const job::CellNumbers& numbers, const Claim& claim) {
             : certify_steady(*rig, claim.regime == cell::Regime::sustained_contact, start_of(numbers));
     if (certificate.force_ratio.hi > 0)
         certificate.force_ratio = certificate.force_ratio * force_ratio(numbers);
+    if (certificate.impact_speed.hi > 0)
+        certificate.impact_speed = certificate.impact_speed * speed_unit(numbers);
     return certificate;
 }
 

@@ -3,7 +3,7 @@
 // For a periodic cell: near the orbit given by the cell's state at forcing phase 0 there is exactly one
 // periodic orbit of the equation of motion; its smallest period is q cycles, it touches the stop p times in
 // them, meets no event but those of its chain, is asymptotically stable, and its largest force lies between two
-// bounds. For no impact and sustained contact: the steady motion stays away from the stop, or against it, and
+// bounds; against a rigid stop, whose forces have none, its largest impact speed does. For no impact and sustained contact: the steady motion stays away from the stop, or against it, and
 // attracts.
 //
 // The statement concerns the complete equation with the job's numbers and the cell's coordinates, all exact
@@ -23,7 +23,8 @@ struct Claim {
 
 struct Certificate {
     cell::Certified verdict = cell::Certified::not_tried;
-    Interval force_ratio = nothing();  // the largest force F/(m g0)
+    Interval force_ratio = nothing();   // the largest force F/(m g0); nothing() where a rigid stop is struck
+    Interval impact_speed = nothing();  // of a rigid stop, the largest [m/s]
     double stability_margin = 0;       // lower bound (stability.hpp)
     [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
 };

@@ -9,7 +9,8 @@
 namespace peterka::certificate {
 
 std::int64_t EventChain::impacts() const {
-    return std::ranges::count(events, EventKind::touch, &Event::kind);
+    return std::ranges::count_if(
+        events, [](EventKind kind) { return kind == EventKind::touch || kind == EventKind::bounce; }, &Event::kind);
 }
 
 namespace {
@@ -20,90 +21,93 @@ double safe_step(double value, double slope, double bend) {
     return slope > 0 ? -2 * value / (slope + root) : (root - slope) / bend;
 }
 
-// A hammer in motion.
-class Walk {
-  public:
-    Walk(const Springs<double>& springs, const Vector<double>& state)
-        : springs_(&springs), state_(state), presses_(state.position > 0 && springs.force(state) > 0) {}
+}  // namespace
 
-    [[nodiscard]] bool presses() const { return presses_; }
-    [[nodiscard]] double time() const { return time_; }
+Walk Walk::from_lift_off(const Springs<double>& springs) {
+    Walk walk(springs, springs.lift_off, {0, 0});
+    walk.began_with_event_ = true;
+    return walk;
+}
 
-    // Continues until the next event, or until a given time if that comes first. none: neither is reached.
-    enum class End { event, time, none };
-    [[nodiscard]] End go_on(double until, Event& event) {
-        const Phase<double>& phase = springs_->phase(presses_);
-        const Leg<double> leg(phase, time_, state_);
-        const double cap = short_time(phase);
-        double offset = 0;
-        bool begins = began_with_event_;
-        for (int steps = 0; steps < 100'000; ++steps) {
-            const Moment<double> now = leg.at(offset);
-            const double left = until - time_ - offset;
-            const double step = std::min(cap, largest_step(phase, now, cap, begins));
-            if (!begins && step < 1e-13 * (1 + offset)) return meet(offset, now, event);
-            begins = false;
-            if (step >= left) {
-                stop_at(leg.at(left).state, until);
-                return End::time;
-            }
-            offset += step;
+Walk::End Walk::go_on(double until, Event& event) {
+    const Phase<double>& phase = springs_->phase(presses_);
+    const Leg<double> leg(phase, time_, state_);
+    const double cap = short_time(phase);
+    double offset = 0;
+    bool begins = began_with_event_;
+    for (int steps = 0; steps < 100'000; ++steps) {
+        const Moment<double> now = leg.at(offset);
+        const double left = until - time_ - offset;
+        const double step = std::min(cap, largest_step(phase, now, cap, begins));
+        if (!begins && step < 1e-13 * (1 + offset)) return meet(offset, now, event);
+        begins = false;
+        if (step >= left) {
+            stop_at(leg.at(offset + left).state, until);
+            return End::time;
         }
-        return End::none;
+        offset += step;
     }
+    return End::none;
+}
 
-  private:
-    // The largest step that passes no event.
-    [[nodiscard]] double largest_step(const Phase<double>& phase, const Moment<double>& now, double cap,
-                                      bool begins) const {
-        const Vector<double>& state = now.state;
-        const Bends bend = bends(phase, now, cap, Within::later);
-        if (!presses_ && !begins && state.position <= 0)
-            return safe_step(state.position, state.velocity, bend.acceleration);
-        const double sign = presses_ ? -1 : 1;
-        const double slope = springs_->force({state.velocity, phase.acceleration(state, now.angle.sine)});
-        const bool on_surface = begins && !(presses_ && springs_->rig.damping > 0 && touched_);
-        const double value = on_surface ? 0 : std::min(0.0, sign * springs_->force(state));
-        return safe_step(value, sign * slope, bend.of_force(springs_->rig));
+double Walk::largest_step(const Phase<double>& phase, const Moment<double>& now, double cap,
+                          bool begins) const {
+    const Vector<double>& state = now.state;
+    const Bends bend = bends(phase, now, cap, Within::later);
+    if (springs_->rig.rigid) {
+        if (begins && state.velocity == 0) {  // from rest; at a lift-off the acceleration is 0, too
+            const double by_acceleration = -phase.acceleration(state, now.angle.sine) / bend.jerk;
+            return std::max({0.0, by_acceleration, -phase.jerk(state, 0, now.angle) / bend.snap});
+        }
+        return safe_step(begins ? 0 : std::min(0.0, state.position), state.velocity, bend.acceleration);
     }
+    if (!presses_ && !begins && state.position <= 0)
+        return safe_step(state.position, state.velocity, bend.acceleration);
+    const double sign = presses_ ? -1 : 1;
+    const double slope = springs_->force({state.velocity, phase.acceleration(state, now.angle.sine)});
+    const bool on_surface = begins && !(presses_ && springs_->rig.damping > 0 && touched_);
+    const double value = on_surface ? 0 : std::min(0.0, sign * springs_->force(state));
+    return safe_step(value, sign * slope, bend.of_force(springs_->rig));
+}
 
-    End meet(double offset, const Moment<double>& now, Event& event) {
-        // Where the force rises through 0 beyond the surface, delta' < 0.
-        event.kind = presses_                 ? EventKind::release
-                     : now.state.velocity < 0 ? EventKind::resume
-                                              : EventKind::touch;
-        const Vector<double> surface = springs_->surface(event.kind);
-        event.along = surface.velocity == 1 ? now.state.velocity : now.state.position;
-        stop_at({surface.position * event.along, surface.velocity * event.along}, time_ + offset);
-        event.time = time_;
-        touched_ = event.kind == EventKind::touch;
-        presses_ = event.kind != EventKind::release;
-        began_with_event_ = true;
-        return End::event;
-    }
-    void stop_at(const Vector<double>& state, double time) {
-        state_ = state;
-        time_ = time;
-        began_with_event_ = false;
-    }
+Walk::End Walk::meet(double offset, const Moment<double>& now, Event& event) {
+    // Where the force rises through 0 beyond the surface, delta' < 0.
+    event.kind = springs_->rig.rigid      ? EventKind::bounce
+                 : presses_               ? EventKind::release
+                 : now.state.velocity < 0 ? EventKind::resume
+                                          : EventKind::touch;
+    const Vector<double> surface = springs_->surface(event.kind);
+    event.along = surface.velocity == 1 ? now.state.velocity : now.state.position;
+    stop_at(scaled(springs_->leaving(event.kind), event.along), time_ + offset);
+    event.time = time_;
+    touched_ = event.kind == EventKind::touch;
+    presses_ = presses_after(event.kind);
+    began_with_event_ = true;
+    return End::event;
+}
 
-    const Springs<double>* springs_;
-    Vector<double> state_;
-    double time_ = 0;
-    bool presses_;
-    bool began_with_event_ = false;
-    bool touched_ = false;
-};
+void Walk::stop_at(const Vector<double>& state, double time) {
+    state_ = state;
+    time_ = time;
+    began_with_event_ = false;
+}
+
+void sort_into_cycle(Event& event, double period) {
+    event.cycle = static_cast<std::int64_t>(std::floor(event.time / period));
+    event.time -= static_cast<double>(event.cycle) * period;
+}
+
+namespace {
 
 // From the middle of the leg after the first event to q cycles later, so that no event is near either end.
 std::optional<EventChain> events_of(const Springs<double>& springs, const StroboscopicOrbit& orbit) {
     const double period = springs.rig.period;
     const double duration = static_cast<double>(orbit.period) * period;
     EventChain chain{orbit.period, {}};
-    Walk walk(springs, {orbit.displacement - springs.rig.gap, orbit.velocity});
+    Walk walk(springs, 0, {orbit.displacement - springs.rig.gap, orbit.velocity});
     Event event;
     if (walk.go_on(1.5 * duration, event) != Walk::End::event) return std::nullopt;
-    const bool presses = event.kind != EventKind::release;
+    const bool presses = presses_after(event.kind);
     const double first = event.time;
     if (walk.go_on(first + 1.5 * duration, event) != Walk::End::event) return std::nullopt;
     chain.events.push_back(event);
@@ -113,10 +117,7 @@ std::optional<EventChain> events_of(const Springs<double>& springs, const Strobo
         chain.events.push_back(event);
     }
     if (how != Walk::End::time || chain.presses(chain.events.size() - 1) != presses) return std::nullopt;
-    for (Event& each : chain.events) {
-        each.cycle = static_cast<std::int64_t>(std::floor(each.time / period));
-        each.time -= static_cast<double>(each.cycle) * period;
-    }
+    for (Event& each : chain.events) sort_into_cycle(each, period);
     return chain;
 }
 
@@ -146,29 +147,34 @@ EquationsInDoubles equations_in_doubles(const Springs<double>& springs, const Ev
     for (std::size_t i = 0; i < chain.events.size(); ++i) {
         const LegEquations<double> leg = leg_equations(springs, chain, places, i);
         const auto row = static_cast<Eigen::Index>(2 * i);
-        const auto put = [&](Eigen::Index column, const Vector<double>& derivative) {
-            equations.derivatives(row, column) = derivative.position;
-            equations.derivatives(row + 1, column) = derivative.velocity;
+        // Of an orbit with a single event, a bounce, the leg begins and ends at the same one.
+        const auto add = [&](Eigen::Index column, const Vector<double>& derivative) {
+            equations.derivatives(row, column) += derivative.position;
+            equations.derivatives(row + 1, column) += derivative.velocity;
         };
         const auto next = static_cast<Eigen::Index>(2 * chain.next(i));
         equations.residuals[row] = leg.residual.position;
         equations.residuals[row + 1] = leg.residual.velocity;
-        put(row, leg.of_time);
-        put(row + 1, leg.of_along);
-        put(next, leg.of_end_time);
-        put(next + 1, leg.of_end_along);
+        add(row, leg.of_time);
+        add(row + 1, leg.of_along);
+        add(next, leg.of_end_time);
+        add(next + 1, leg.of_end_along);
     }
     return equations;
 }
 
+bool refine(const Springs<double>& springs, EventChain& chain) {
+    for (int steps = 0; steps < 8; ++steps) {
+        const EquationsInDoubles equations = equations_in_doubles(springs, chain);
+        if (move(chain, equations.derivatives.partialPivLu().solve(equations.residuals))) return true;
+    }
+    return false;
+}
+
 std::optional<EventChain> find_chain(const Springs<double>& springs, const StroboscopicOrbit& orbit) {
     std::optional<EventChain> chain = events_of(springs, orbit);
-    if (!chain) return std::nullopt;
-    for (int steps = 0; steps < 8; ++steps) {
-        const EquationsInDoubles equations = equations_in_doubles(springs, *chain);
-        if (move(*chain, equations.derivatives.partialPivLu().solve(equations.residuals))) return chain;
-    }
-    return std::nullopt;
+    if (!chain || !refine(springs, *chain)) return std::nullopt;
+    return chain;
 }
 
 }  // namespace peterka::certificate

@@ -25,6 +25,44 @@ inline constexpr std::size_t most_events = 400;
 [[nodiscard]] std::optional<EventChain> find_chain(const Springs<double>& springs,
                                                    const StroboscopicOrbit& orbit);
 
+// The hammer in motion, in doubles, from a state (delta, delta') at a time.
+class Walk {
+  public:
+    Walk(const Springs<double>& springs, double time, const Vector<double>& state)
+        : springs_(&springs),
+          state_(state),
+          time_(time),
+          presses_(state.position > 0 && springs.force(state) > 0) {}
+    static Walk from_lift_off(const Springs<double>& springs);  // of a rigid stop
+
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] const Vector<double>& state() const { return state_; }
+
+    // Continues until the next event, or until a given time if that comes first. none: neither is reached.
+    enum class End { event, time, none };
+    [[nodiscard]] End go_on(double until, Event& event);
+
+  private:
+    // The largest step that passes no event.
+    [[nodiscard]] double largest_step(const Phase<double>& phase, const Moment<double>& now, double cap,
+                                      bool begins) const;
+    End meet(double offset, const Moment<double>& now, Event& event);
+    void stop_at(const Vector<double>& state, double time);
+
+    const Springs<double>* springs_;
+    Vector<double> state_;
+    double time_;
+    bool presses_;
+    bool began_with_event_ = false;
+    bool touched_ = false;
+};
+
+// For an event whose time is counted from the beginning: its cycle, and the time within it.
+void sort_into_cycle(Event& event, double period);
+
+// Newton's method on the equations of a chain: false if it does not converge.
+[[nodiscard]] bool refine(const Springs<double>& springs, EventChain& chain);
+
 [[nodiscard]] std::vector<Place<double>> places_of(const EventChain& chain);
 
 // The legs' equations in order, two rows each; columns are (time, along) of the events.

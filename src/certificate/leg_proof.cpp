@@ -29,10 +29,12 @@ double surely_before(const Springs<Interval>& springs, const Phase<Interval>& ph
 Signal signal_of(EventKind kind) {
     switch (kind) {
         case EventKind::touch:
+        case EventKind::bounce:
             return Signal::penetration;
         case EventKind::release:
             return Signal::pull;
         case EventKind::resume:
+        case EventKind::lift_off:  // ends a rest, not a leg
             break;
     }
     return Signal::force;
@@ -42,8 +44,8 @@ Signal signal_of(EventKind kind) {
 
 bool March::step(double until, bool on_surface) {
     const Moment<Interval> now = offset_ == 0 ? leg_->start() : leg_->at(Interval(offset_));
-    const bool is_below = now.state.position.negative() && !on_surface;
-    const Signal signal = presses_ ? Signal::pull : is_below ? Signal::penetration : Signal::force;
+    const bool must_stay_below = springs_->rig.rigid || (now.state.position.negative() && !on_surface);
+    const Signal signal = presses_ ? Signal::pull : must_stay_below ? Signal::penetration : Signal::force;
     Watched watched = watch(*springs_, leg_->phase(), signal, now);
     if (on_surface) watched.value = 0;
     const Bends near = bends(leg_->phase(), now, cap_, Within::later);
@@ -58,6 +60,24 @@ bool March::step(double until, bool on_surface) {
     if (!begins_below || !(watched.value + by_slope).negative()) return false;
     offset_ = end;
     return true;
+}
+
+bool March::leave_at_once(double until) {
+    const Phase<Interval>& phase = leg_->phase();
+    const Interval acceleration = phase.acceleration({Interval(0), Interval(0)}, leg_->start().angle.sine);
+    if (!acceleration.negative()) return false;
+    const double jerk = bends(phase, leg_->start(), cap_, Within::later).jerk;
+    offset_ = std::min({0.999 * cap_, 2.9 * -acceleration.hi / jerk, until});
+    return offset_ > 0;
+}
+
+bool March::lift_off(double until) {
+    const Phase<Interval>& phase = leg_->phase();
+    const Interval jerk = phase.jerk({Interval(0), Interval(0)}, Interval(0), leg_->start().angle);
+    if (!jerk.negative()) return false;
+    const double snap = bends(phase, leg_->start(), cap_, Within::later).snap;
+    offset_ = std::min({0.999 * cap_, 3.9 * -jerk.hi / snap, until});
+    return offset_ > 0;
 }
 
 bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
@@ -76,7 +96,12 @@ bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
     const double until = (Interval(length.hi) - Interval(before)).hi;
     const bool presses_at_once = from == EventKind::touch && springs.rig.damping.positive();
     March march(springs, leg, presses);
-    if (until > 0 && !march.step(until, !presses_at_once)) return false;
+    const auto first_step = [&] {
+        if (from == EventKind::lift_off) return march.lift_off(until);
+        if (from == EventKind::bounce && springs.rig.restitution.hi == 0) return march.leave_at_once(until);
+        return march.step(until, !presses_at_once);
+    };
+    if (until > 0 && !first_step()) return false;
     for (int steps = 0; march.offset() < until; ++steps) {
         if (steps == most_steps_of_a_leg || !march.step(until)) return false;
     }

@@ -127,6 +127,12 @@ class Phase {
         const Number square = absolute_ ? u * u + Number(3) * sine * (u + sine) : u * u;
         return linear - cubic_ * u * square;
     }
+    // Whether the acceleration at rest on the stop rises with sin(theta).
+    [[nodiscard]] bool pressing_rises() const {
+        if (is_linear() || !absolute_) return true;
+        const Number twice = Number(0) + plus_minus(2, gap_);
+        return surely_positive(drive_ - Number(3) * cubic_ * gap_ * (twice + gap_));
+    }
     [[nodiscard]] Number jerk(const Vector<Number>& state, const Number& acceleration,
                               const SineCosineOf<Number>& angle) const {
         const Number linear =

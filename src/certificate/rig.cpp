@@ -23,12 +23,14 @@ Interval stiffness_of(const job::Hammer& hammer) {  // k [N/m]
 
 RigOf<double> middle(const Rig& rig) {
     return {rig.damping_ratio.middle(), rig.stiffness.middle(), rig.damping.middle(), rig.frequency.middle(),
-            rig.gap.middle(),           rig.period.middle(),    rig.cubic.middle(),   rig.absolute};
+            rig.gap.middle(),           rig.period.middle(),    rig.cubic.middle(),   rig.absolute,
+            rig.rigid,                  rig.restitution.middle()};
 }
 
 std::optional<Rig> rig_of(const job::CellNumbers& numbers) {
     const auto* stop = std::get_if<job::KelvinVoigt>(&numbers.contact);
-    if (stop == nullptr) return std::nullopt;
+    const auto* rigid = std::get_if<job::Restitution>(&numbers.contact);
+    if (stop == nullptr && rigid == nullptr) return std::nullopt;
     const job::Hammer& hammer = numbers.hammer;
     const Interval omega = omega_of(hammer);
     const Interval impedance = Interval(hammer.mass_kg) * omega;  // m omega [Ns/m]
@@ -36,8 +38,13 @@ std::optional<Rig> rig_of(const job::CellNumbers& numbers) {
     rig.damping_ratio = hammer.damping_ratio
                             ? Interval(*hammer.damping_ratio)
                             : Interval(hammer.damping_ns_per_m.value()) / (Interval(2) * impedance);
-    rig.stiffness = Interval(stop->stiffness_n_per_m) / stiffness_of(hammer);
-    rig.damping = Interval(stop->damping_ns_per_m) / impedance;
+    if (stop != nullptr) {
+        rig.stiffness = Interval(stop->stiffness_n_per_m) / stiffness_of(hammer);
+        rig.damping = Interval(stop->damping_ns_per_m) / impedance;
+    } else {
+        rig.rigid = true;
+        rig.restitution = rigid->coefficient;
+    }
     rig.frequency = numbers.place.frequency_hz ? Interval(2) * pi * *numbers.place.frequency_hz / omega
                                                : Interval(numbers.place.frequency_ratio);
     rig.gap = numbers.place.gap_m ? Interval(*numbers.place.gap_m) / numbers.cart.amplitude_m
@@ -62,6 +69,10 @@ EnclosedStart start_of(const job::CellNumbers& numbers) {
 
 Interval force_ratio(const job::CellNumbers& numbers) {
     return square(omega_of(numbers.hammer)) * numbers.cart.amplitude_m / standard_gravity;
+}
+
+Interval speed_unit(const job::CellNumbers& numbers) {
+    return omega_of(numbers.hammer) * numbers.cart.amplitude_m;
 }
 
 }  // namespace peterka::certificate

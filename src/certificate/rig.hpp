@@ -19,13 +19,15 @@ struct RigOf {
     Number period = 0;         // 2 pi/eta
     Number cubic = 0;          // gamma = k3 A0^2/k
     bool absolute = false;     // the cubic term is that of x^3 - y^3, not u^3
+    bool rigid = false;        // the stop reverses the velocity, delta' -> -r delta', and kappa = chi = 0
+    Number restitution = 0;    // r
 };
 using Rig = RigOf<Interval>;
 
 // Numbers within the enclosures, for a search that proves nothing.
 [[nodiscard]] RigOf<double> middle(const Rig& rig);
 
-// The rig of a spring-dashpot stop; nothing for any other law.
+// The rig of a spring-dashpot or a rigid stop; nothing for any other law.
 [[nodiscard]] std::optional<Rig> rig_of(const job::CellNumbers& numbers);
 
 // The hammer's start, x(0)/A0 and x'(0)/(A0 omega), absolute.
@@ -35,7 +37,8 @@ struct EnclosedStart {
 };
 [[nodiscard]] EnclosedStart start_of(const job::CellNumbers& numbers);
 
-// The factor from F/(k A0) to F/(m g0): omega^2 A0/g0.
+// The factors from F/(k A0) to F/(m g0), omega^2 A0/g0, and from A0 omega to m/s.
 [[nodiscard]] Interval force_ratio(const job::CellNumbers& numbers);
+[[nodiscard]] Interval speed_unit(const job::CellNumbers& numbers);
 
 }  // namespace peterka::certificate

@@ -76,9 +76,25 @@ double shift_of(const Phase<Interval>& phase, const Gain& gain) {
     return nothing().lo;
 }
 
+// On a rigid stop the hammer rests while its acceleration there, a(s) with s = sin(theta), is positive. Where a
+// rises with s, its bounds are those at s = -1 and 1. With r < 1 a neighbouring motion comes to rest, too, in a
+// series of bounces (C. Budd and F. Dux, Phil. Trans. R. Soc. A 347, 1994): its multipliers are 0.
+std::optional<SteadyMotion> rest_on_rigid_stop(const Springs<Interval>& springs) {
+    const Phase<Interval>& phase = springs.flight;
+    const Vector<Interval> at_rest{Interval(0), Interval(0)};
+    if (!phase.pressing_rises()) return std::nullopt;
+    SteadyMotion motion;
+    motion.room = phase.acceleration(at_rest, Interval(-1)).lo;
+    if (!(motion.room > 0)) return std::nullopt;
+    motion.force = phase.acceleration(at_rest, Interval(1));
+    motion.margin = (Interval(1) - springs.rig.restitution).positive() ? 1 : 0;
+    return motion;
+}
+
 }  // namespace
 
 std::optional<SteadyMotion> steady_motion(const Springs<Interval>& springs, bool presses) {
+    if (presses && springs.rig.rigid) return rest_on_rigid_stop(springs);
     const Phase<Interval>& phase = springs.phase(presses);
     const Swing swing = swing_of(springs, presses);
     SteadyMotion motion;

@@ -20,7 +20,8 @@ namespace peterka::certificate {
 struct SteadyMotion {
     Interval force;     // the largest force, F/(k A0); 0 in flight
     double margin = 0;  // of stability over one forcing cycle (stability.hpp)
-    double room = 0;    // lower bound of the distance from 0 of its signal: delta, or kappa delta + chi delta'
+    double room = 0;    // lower bound of the distance from 0 of its signal: delta, kappa delta + chi delta', or
+                        // the acceleration that presses it against a rigid stop
     double reach = 0;   // largest |u|
     double shift = 0;   // bounds of the distance from the linear response, in delta and delta'
     double rate_shift = 0;

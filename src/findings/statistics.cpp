@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -26,12 +27,14 @@ void count(std::array<std::int64_t, size>& counts, std::int8_t value) {
     if (index < size) ++counts[index];
 }
 
-ProvedForces proved_force(const quantities::StoredCell& cell) {
+ProvedPeak proved_peak(const quantities::StoredCell& cell) {
     if (cell.certified <= cell::Certified::not_tried) return {};
-    const double below = cell.force_lower - cell.peak_force;
-    const double above = cell.peak_force - cell.force_upper;
-    const double outside = std::max({below, above, 0.0});
-    return {cell.force_lower, cell.force_upper, outside > 0 ? outside / cell.force_upper : 0};
+    const bool rigid = !std::isnan(cell.impact_speed_upper);
+    const double lower = rigid ? cell.impact_speed_lower : cell.force_lower;
+    const double upper = rigid ? cell.impact_speed_upper : cell.force_upper;
+    const double computed = rigid ? cell.impact_speed : cell.peak_force;
+    const double outside = std::max({0.0, lower - computed, computed - upper});
+    return {lower, upper, outside > 0 ? outside / upper : 0};
 }
 
 void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::int64_t row,
@@ -44,7 +47,7 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     count(counts.by_engine, static_cast<std::int8_t>(cell.engine));
     count(counts.by_certificate,
           static_cast<std::int8_t>(static_cast<int>(cell.certified) - cell::first_certified));
-    statistics.proved.take(proved_force(cell));
+    statistics.proved.take(proved_peak(cell));
     if (cell.regime == Regime::unresolved)
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.status == regime::Status::chaotic_so_far && cell.computed)
@@ -89,7 +92,7 @@ void Extremes::take(const Extremes& other) {
     one_to_one.take(other.one_to_one);
 }
 
-void ProvedForces::take(const ProvedForces& other) {
+void ProvedPeak::take(const ProvedPeak& other) {
     lower = std::max(lower, other.lower);
     upper = std::max(upper, other.upper);
     furthest_outside = std::max(furthest_outside, other.furthest_outside);

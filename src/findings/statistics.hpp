@@ -76,19 +76,19 @@ struct LongestChaos {
     void take(const LongestChaos& other);
 };
 
-// Bounds on the largest peak force of the cells with a certificate, F/(m g0), and the largest relative amount
-// by which a computed peak force lies outside its own bounds.
-struct ProvedForces {
+// Bounds on the largest peak force of the cells with a certificate, F/(m g0), or of a rigid stop on the largest
+// impact speed [m/s], and the largest relative amount by which a computed one lies outside its own bounds.
+struct ProvedPeak {
     double lower = -std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
     double furthest_outside = 0;
 
-    void take(const ProvedForces& other);
+    void take(const ProvedPeak& other);
 };
 
 struct Statistics {
     Counts counts;
-    ProvedForces proved;
+    ProvedPeak proved;
     Observed chaos;
     LongestChaos longest;
     Extremes largest;

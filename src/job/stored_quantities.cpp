@@ -17,6 +17,8 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
             return is_rigid(job.contact);
         case cell::StoredWhen::of_certificates:
             return job.certificate.cells > 0;
+        case cell::StoredWhen::of_certificates_of_rigid_stops:
+            return job.certificate.cells > 0 && is_rigid(job.contact);
         case cell::StoredWhen::on_request:
             break;
     }

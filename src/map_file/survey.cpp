@@ -13,7 +13,7 @@ namespace {
 // The parts of Statistics that travel as plain bytes.
 struct Totals {
     findings::Counts counts;
-    findings::ProvedForces proved;
+    findings::ProvedPeak proved;
     findings::Observed chaos;
     findings::LongestChaos longest;
     findings::Extremes largest;

@@ -56,13 +56,15 @@ std::string reasons(const findings::Counts& counts) {
 }
 
 // With as many decimals as the distance of the bounds justifies, and rounded outwards.
-std::string largest(const scene::Scene& scene, const findings::ProvedForces& proved) {
+std::string largest(const scene::Scene& scene, const findings::ProvedPeak& proved) {
     if (!(proved.upper > 0) || scene.rigs_differ()) return "";
     const double width = std::max(proved.upper - proved.lower, 1e-15 * proved.upper);
     const int decimals = std::clamp(static_cast<int>(-std::log10(width)), 0, 15);
     const double half = 0.5 * std::pow(10, -decimals) + 1e-15 * proved.upper;
-    return fmt::format("  largest force       from {:.{}f} to {:.{}f} weights, of the cells that are proved\n",
-                       proved.lower - half, decimals, proved.upper + half, decimals);
+    const bool rigid = job::is_rigid(scene.job().contact);
+    return fmt::format("  {:<20}from {:.{}f} to {:.{}f} {}, of the cells that are proved\n",
+                       rigid ? "largest speed" : "largest force", proved.lower - half, decimals,
+                       proved.upper + half, decimals, rigid ? "m/s of an impact" : "weights");
 }
 
 }  // namespace
@@ -80,10 +82,11 @@ std::string certificate_summary(const scene::Scene& scene, const findings::Stati
     if (from_start > 0)
         text += fmt::format(", in {} that the start leads there, too", readable_count(from_start));
     text += "\n" + reasons(counts) + largest(scene, statistics.proved);
-    if (proved > 0) {
+    const bool rigid = job::is_rigid(scene.job().contact);
+    if (proved > 0 && (!rigid || scene.job().output.has(cell::OptionalField::impact_speed))) {
         text += fmt::format(
-            "  forces of the map   outside their proved bounds by {:.1e} at most, relative{}\n",
-            statistics.proved.furthest_outside,
+            "  {} of the map   outside their proved bounds by {:.1e} at most, relative{}\n",
+            rigid ? "speeds" : "forces", statistics.proved.furthest_outside,
             scene.cell(0, 0).oscillator.cubic == 0 ? "" : " (the bounds are with the cubic spring)");
     }
     return text;

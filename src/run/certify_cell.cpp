@@ -43,6 +43,8 @@ void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, ce
     if (!begins_at_start(job, row)) result.certified = cell::Certified::orbit;
     result.force_lower = certificate.force_ratio.lo;
     result.force_upper = certificate.force_ratio.hi;
+    result.impact_speed_lower = certificate.impact_speed.lo;
+    result.impact_speed_upper = certificate.impact_speed.hi;
     result.stability_margin = certificate.stability_margin;
 }
 

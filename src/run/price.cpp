@@ -157,7 +157,7 @@ std::string certificate_price(const job::Job& job) {
     const std::int64_t cells = std::min(job.certificate.cells, job.cells());
     if (cells == 0) return "";
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
-    if (rig.spring_dashpot() == nullptr) {
+    if (rig.spring_dashpot() == nullptr && !job::is_rigid(job.contact)) {
         return "#   proofs   none: there is no theorem for this law of the stop, and `certified` will say so\n";
     }
     const double seconds_per_cell = rig.cubic == 0 ? 1e-4 : 1.4e-3;
