@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess")), ROOT / "src" / "COSTS.md"]
+PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess")),
+         ROOT / "src" / "COSTS.md", ROOT / "src" / "CHANGELOG.md"]
 BINARY = os.environ.get("PETERKA_BINARY", ROOT / "build" / "peterka")
 
 

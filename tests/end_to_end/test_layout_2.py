@@ -51,6 +51,13 @@ def test_a_run_leaves_it_alone_and_says_why(old):
     assert old.read_bytes() == before
 
 
+def test_it_is_computed_again_only_when_told_to(old):
+    fresh = launch.run("run", "layout_2.toml", "--fresh", cwd=old.parent)
+    assert fresh.returncode == 0, fresh.stderr
+    with h5py.File(old) as file:
+        assert file.attrs["peterka_layout"] == 3
+
+
 def with_a_heap_that_crashes_hdf5(path):
     """The size of the first text in the global heap, which has no checksum, nor has a file of this layout one of ours."""
     content = bytearray(path.read_bytes())
