@@ -11,7 +11,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess")),
          ROOT / "src" / "COSTS.md", ROOT / "src" / "CHANGELOG.md", ROOT / "postprocess" / "NEED.md",
-         ROOT / "postprocess" / "examples" / "gallery.md", ROOT / ".github" / "CONTRIBUTING.md"]
+         ROOT / "postprocess" / "examples" / "gallery.md",
+         ROOT / "postprocess" / "examples" / "peers.md", ROOT / ".github" / "CONTRIBUTING.md"]
 BINARY = os.environ.get("PETERKA_BINARY", ROOT / "build" / "peterka")
 
 
