@@ -18,14 +18,14 @@ HEAD = """# Two results of others
 
 Written by `jobs/peers.sh`. Published results beside those of the jobs in `jobs/peers`: what they say in our words, what was computed, whether it
 agrees, and likely why not. A printed number agrees if the computed one rounds to it. Only what could be read counts: stored copies of the pages named
-below; the printed book and papers were not at hand. Texts by Peterka and Vacík, Luo, de Souza and Caldas, Blazejczyk-Okolewska and Kapitaniak, Shaw and Holmes, and Nordmark
-were looked for, too, and found as abstracts or first pages only, without numbers to compare.
+below; the printed book and papers were not at hand. Texts by Peterka and Vacík, Luo, de Souza and Caldas,
+Blazejczyk-Okolewska and Kapitaniak, Shaw and Holmes, and Nordmark were looked for, too: none, or abstracts and first pages without numbers.
 """
 BALL = """
 ## A ball on a vibrating table
 
 N. B. Tufillaro, T. Abbott and J. Reilly, *An Experimental Approach to Nonlinear Dynamics and Chaos*, Addison-Wesley 1992, chapter 1, of which
-sections 1.4.3 to 1.5.2 stand at www.drchaos.net/drchaos/Book (`node22.html` to `node26.html`). The ball is a hammer without damping on springs so slow
+`node22.html` to `node26.html` stand at www.drchaos.net/drchaos/Book. The ball is a hammer without damping on springs so slow
 that they pull with a constant force, the table a rigid stop: `jobs/peers/bouncing_ball.toml`. The restitution and the frequency of their
 Fig. 1.16 stand in pictures that could not be read; 0.5 and 60 Hz are assumed, and one claim below needs no frequency.
 
