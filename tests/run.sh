@@ -22,9 +22,9 @@ elif has_option --core; then
     jobs/prepare.sh
 else
     has_option --all && chosen=() || chosen=("$@")
-    # The page of explore.py: what builds its engine, and a browser.
+    # The page of explore.py: what builds its engine, and a browser. Sphinx: the pages of jobs/api.sh.
     # shellcheck disable=SC2046
-    jobs/prepare.sh $(src/page/packages.sh) chromium chromium-driver python3-selenium
+    jobs/prepare.sh $(src/page/packages.sh) chromium chromium-driver python3-selenium python3-sphinx
 fi
 . jobs/mpi_environment.sh
 # One more than there are cores: some tests wait for what they have started.

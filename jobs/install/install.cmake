@@ -25,7 +25,7 @@ install(DIRECTORY ${made}/dist-info/ DESTINATION ${PETERKA_PYTHON_DIR}/peterka-$
 install(DIRECTORY ${made}/bin/ DESTINATION ${CMAKE_INSTALL_BINDIR} USE_SOURCE_PERMISSIONS)
 
 install(DIRECTORY jobs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/peterka/jobs FILES_MATCHING PATTERN "*.toml" PATTERN install EXCLUDE
-    PATTERN container EXCLUDE PATTERN slurm EXCLUDE)
+    PATTERN container EXCLUDE PATTERN slurm EXCLUDE PATTERN spack EXCLUDE)
 install(FILES jobs/slurm/map.sbatch DESTINATION ${CMAKE_INSTALL_DATADIR}/peterka/jobs/slurm)
 install(FILES jobs/mpi_environment.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/peterka)
 install(FILES jobs/install/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME peterka)

@@ -33,3 +33,11 @@ def test_the_button_turns_light_into_dark(browser, map_page):
     assert browser.ask("getComputedStyle(document.body).backgroundColor") == "rgb(20, 23, 26)"
     browser.find("theme").click()
     assert browser.ask("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+
+
+def test_the_page_of_the_shipped_map_can_be_hosted(page_of):
+    """With the engine; postprocess/README.md tells its size."""
+    page = page_of("peterka_170mm.toml", "audit.cells=0")
+    text = page.read_text()
+    assert 1.2e6 < page.stat().st_size < 1.6e6
+    assert "http://" not in text and "https://" not in text

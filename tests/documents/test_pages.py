@@ -9,7 +9,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess")), ROOT / "src" / "COSTS.md"]
+PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess")),
+         ROOT / "src" / "COSTS.md", ROOT / "src" / "CHANGELOG.md", ROOT / "postprocess" / "NEED.md",
+         ROOT / "postprocess" / "examples" / "gallery.md",
+         ROOT / "postprocess" / "examples" / "peers.md", ROOT / ".github" / "CONTRIBUTING.md"]
 BINARY = os.environ.get("PETERKA_BINARY", ROOT / "build" / "peterka")
 
 
@@ -91,3 +94,12 @@ def test_all_variables_are_told():
     assert len(names) > 20
     page = (ROOT / "postprocess" / "README.md").read_text()
     assert [name for name in names if f"`{name}`" not in page] == []
+
+
+def test_places_of_the_guide_exist():
+    page = (ROOT / ".github" / "CONTRIBUTING.md").read_text()
+    places = re.findall(r"`((?:src|tests|postprocess)/[\w/*.]+)`", page)
+    assert len(places) > 10
+    assert [place for place in places if not list(ROOT.glob(place.rstrip("/")))] == []
+    suite = re.search(r"--gtest_filter='(\w+)\*'", page).group(1)
+    assert any(f"TEST({suite}" in file.read_text() for file in (ROOT / "tests" / "unit").glob("*.cpp"))

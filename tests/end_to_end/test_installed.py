@@ -53,6 +53,20 @@ def test_the_programs_find_each_other_and_the_engine(prefix, call, tmp_path):
     assert "is a sound job" in told and told.endswith("64\n")
 
 
+def test_a_package_from_pip_finds_the_program_on_the_path(prefix, tmp_path):
+    """As in a virtual environment that has the packages it needs; the package of the prefix itself stays unused."""
+    subprocess.run(["cp", "-r", CHECKOUT / "postprocess", tmp_path / "source"], check=True)
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index", "--target", tmp_path / "site"]
+    subprocess.run([*pip, tmp_path / "source"], check=True, capture_output=True, timeout=120)
+    job = prefix / "share/peterka/jobs/smoke.toml"
+    done = subprocess.run([sys.executable, "-c", f"import peterka; print(peterka.__file__, peterka.run({str(job)!r}, ranks=1).sizes['gap_ratio'])"],
+                          cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False, env={
+                              "PATH": f"{prefix / 'bin'}:/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(tmp_path / "site"), "LANG": "C.UTF-8",
+                              "OMPI_MCA_ess_singleton_isolated": "1"})
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == f"{tmp_path / 'site/peterka/__init__.py'} 64\n"
+
+
 def test_help_names_the_installed_programs(call):
     told = call("peterka-operating-point", "--help")
     assert "peterka-operating-point MAP.h5" in told and ".py" not in told

@@ -51,6 +51,13 @@ def test_a_run_leaves_it_alone_and_says_why(old):
     assert old.read_bytes() == before
 
 
+def test_it_is_computed_again_only_when_told_to(old):
+    fresh = launch.run("run", "layout_2.toml", "--fresh", cwd=old.parent)
+    assert fresh.returncode == 0, fresh.stderr
+    with h5py.File(old) as file:
+        assert file.attrs["peterka_layout"] == 3
+
+
 def with_a_heap_that_crashes_hdf5(path):
     """The size of the first text in the global heap, which has no checksum, nor has a file of this layout one of ours."""
     content = bytearray(path.read_bytes())
@@ -81,3 +88,17 @@ def test_one_that_another_program_has_written_anew_is_read(old, small_map_file):
         file["run/of_another_program/numbers"] = list(range(1000))
     with pictures.open_file(copy) as file:
         assert file.kind == "map"
+
+
+def test_a_job_with_a_key_of_a_later_program_is_told_from_damage(old, small_map_file):
+    copy = old.with_name("later.h5")
+    shutil.copy(small_map_file, copy)
+    with h5py.File(copy, "r+") as file:
+        file.create_group("run/of_another_program")
+        file["run/of_another_program/numbers"] = list(range(1000))
+        job = file.attrs["job"]
+        text = job.decode() if isinstance(job, bytes) else str(job)
+        file.attrs["job"] = text.replace("[limits]\n", "[limits]\nkey_of_tomorrow = 1\n")
+    jobs.write(old.parent, jobs.trace_of(copy, "row = 0\ncolumn = 1"))
+    traced = launch.run("run", "job.toml", cwd=old.parent)
+    assert traced.returncode == 2 and "holds a job that this version can't read" in traced.stderr, traced.stderr

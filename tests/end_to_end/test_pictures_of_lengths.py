@@ -1,6 +1,7 @@
 """Pictures of files whose axes are in Hz and metres equal those over ratios: ratios at the bottom and left, Hz and mm at the top and
 right, or either alone; --zoom uses the displayed units, a sweep along the gap says so, and measured points lie at their place."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -97,6 +98,14 @@ def test_a_sweep_along_the_gap_says_so(files, name):
         figure.canvas.draw()
         scale, = (child for one in figure.axes for child in one.child_axes if child.get_xlabel() == GAP)
         assert np.allclose(scale.get_xlim(), [0, 2])
+
+
+@pytest.mark.parametrize("units, expected", [("both", r" at \d\S* \(\d\S* mm\)$"), ("si", r" at \d\S* mm$"), ("ratio", r" at \d\S*$")])
+def test_places_along_the_gap_are_told_in_the_units_of_the_picture(files, units, expected):
+    with open_file(files / "sweep.h5") as file:
+        figure = pictures_of(file)["response"](file, units=units)[0].figure
+        told = [text.get_text() for ax in figure.axes for text in ax.texts if " at " in text.get_text()]
+    assert told and [text for text in told if not re.search(expected, text)] == []
 
 
 POINTS = ("frequency_hz;gap_mm;force_n;force_error_n;frequency_error_hz;series\n8,0;0,3;100,5;2,5;0,1;first\n"

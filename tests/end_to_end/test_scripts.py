@@ -12,7 +12,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = sorted(str(path.relative_to(ROOT)) for folder in ("jobs", "tests", "tests/endurance")
                  for path in (ROOT / folder).glob("*.sh") if os.access(path, os.X_OK))
-WITH_FOLDERS = ["jobs/benchmark.sh", "jobs/paper.sh", "jobs/results.sh"]
+WITH_FOLDERS = ["jobs/api.sh", "jobs/benchmark.sh", "jobs/gallery.sh", "jobs/paper.sh", "jobs/peers.sh",
+                "jobs/results.sh"]
 BEGUN = "has begun"
 
 

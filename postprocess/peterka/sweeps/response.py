@@ -134,7 +134,7 @@ def _jump_notes(file, gap):
         for before, after in branch.jumps()[:MOST_LABELLED]:
             middle = (file.values[before] + file.values[after]) / 2
             highest = max(branch.force[before], branch.force[after])
-            _add(notes, file, (middle, highest, sweep_panels.frequency_text(file, middle), LOOKS[branch.direction].colour))
+            _add(notes, file, (middle, highest, sweep_panels.place_text(file, middle), LOOKS[branch.direction].colour))
     return notes
 
 
@@ -150,7 +150,7 @@ def _mark_strongest(ax, file, gap):
         ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **look)
         newtons = units.amount(force * file.newtons, "N") if file.newtons else ""
         told = newtons if newtons and style.current().units == "si" else " = ".join(filter(None, [units.number(force), newtons]))
-        text = f"{sign} {told} at {sweep_panels.frequency_text(file, x)}"
+        text = f"{sign} {told} at {sweep_panels.place_text(file, x)}"
         _add(notes, file, (x, force, text, "black"))
     return notes
 

@@ -132,17 +132,15 @@ def _at_share(ax, share):
     return low * (high / low) ** share if ax.get_yscale() == "log" else low + share * (high - low)
 
 
-def frequency_text(file: SweepFile, ratio: float) -> str:
-    """A frequency ratio in words, and in Hz if the file gives the rig; in Hz only for pictures in SI units alone."""
-    hertz = _hertz(file)
-    if hertz and style.current().units == "si":
-        return f"{ratio * hertz:.4g} Hz"
-    return f"{ratio:.4g}" + (f" ({ratio * hertz:.4g} Hz)" if hertz else "")
-
-
-def _hertz(file):
-    """Natural frequency [Hz] for an axis of frequency ratios; None for others."""
-    return file.positive("natural_frequency_hz") if file.axis_name == "frequency_ratio" else None
+def place_text(file: SweepFile, value: float) -> str:
+    """A place on the axis in words: its ratio, and in Hz or mm if the file gives them, or either alone as the picture's units."""
+    scale, units = axes.si_scale(file, file.axis_name), style.current().units
+    replaces = file.axis_name in IN_MILLIMETRES
+    if scale is None or (units == "ratio" and not replaces):
+        return f"{value:.4g}"
+    name, factor = scale
+    in_units = f"{value * factor:.4g} {name.rpartition('(')[2].rstrip(')')}"
+    return in_units if units == "si" or replaces else f"{value:.4g} ({in_units})"
 
 
 def directions(file: SweepFile) -> list[str]:
