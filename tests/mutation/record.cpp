@@ -28,16 +28,22 @@ void append(const std::string& name) {
 struct Recorder : testing::EmptyTestEventListener {
     void OnTestSuiteStart(const testing::TestSuite&) override {
         append("");  // what statics reached
+        clear();
+    }
+    void OnTestSuiteEnd(const testing::TestSuite& suite) override {
+        append(suite.name());
+        clear();
+    }
+    static void clear() {
         std::fill(std::begin(peterka_mutant::reached), std::end(peterka_mutant::reached), 0);
     }
-    void OnTestSuiteEnd(const testing::TestSuite& suite) override { append(suite.name()); }
 };
 const bool listening = [] {
     testing::UnitTest::GetInstance()->listeners().Append(new Recorder);
     return true;
 }();
 #else
-const int registered = std::atexit([] { append(""); });
+const int registered = std::atexit([] { append("process"); });
 #endif
 
 }  // namespace

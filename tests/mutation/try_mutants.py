@@ -6,13 +6,16 @@ COUNT mutants are drawn at random, all alike, from the files of these folders of
 and code. A copy of the sources in BUILD/tree holds all of them, each behind a question for its number (mutant.hpp), so that one build
 serves all; what doesn't compile is taken out and others are drawn. A first run records which suites of unit tests, tests of ranks and
 files of END_TO_END reach which mutant. Each mutant is then tried against these alone, the environment's PETERKA_MUTANT naming it:
-suites of unit/FOLDER_FILE*.cpp first, then the folder's, then the others, then the rest. The first failure, a crash, or taking ten times
-as long as without the mutant counts as caught.
+suites of unit/FOLDER_FILE*.cpp first, then the folder's, then the others, then the tests of ranks and of the program, then suites that
+take long. The first failure, a crash, or taking ten times as long as without the mutant counts as caught.
 
 Survivors are printed. A line of equivalent.txt, as printed, says of one that it changes nothing that anyone could see, and why.
-The faults of known_faults.txt, which tests once missed, are tried as well, and not counted. BUILD/outcomes.json keeps what was caught, which isn't tried again. Writes the rows of these folders into the table of tests/README.md.
+The faults of known_faults.txt, which tests once missed, are tried as well, and not counted. BUILD/outcomes.json keeps what was caught,
+which isn't tried again; BUILD/build/passed.json which suites missed what, which are tried again once they change. Writes the rows of
+these folders into the table of tests/README.md.
 """
 
+import hashlib
 import json
 import os
 import re
@@ -33,11 +36,14 @@ HERE = Path(__file__).parent
 SPARE = 1.3  # as many are drawn at first, for those that don't compile
 MOST = 4000  # as mutant.hpp has room for
 SLOW = 3  # seconds of a suite that comes last
+MOST_SECONDS = 120  # of a file of tests of the whole program; slower ones are left out
 LEAST_SECONDS = 30  # before a test counts as endless
 SHARED_MPI = {"OMPI_MCA_rmaps_base_oversubscribe": "1"}
-# Fast tests of the whole program, in the order in which they are tried; those that take the least come first.
-END_TO_END = ["end_to_end/test_sweeps.py", "end_to_end/test_trace.py", "end_to_end/test_curves.py", "end_to_end/test_study.py",
-              "end_to_end/test_refinement.py", "end_to_end/test_stop_and_resume.py", "end_to_end/test_commands.py", "job"]
+# Tests of the whole program that don't take long; those that take the least come first.
+END_TO_END = ["job", *(f"end_to_end/test_{name}.py" for name in (
+    "audit_of_starts", "basins", "certificates", "commands", "curves", "curves_over_any_axes", "disk", "failed_cells", "known_motions",
+    "many_starts", "refinement", "seal", "side_files", "stop_and_resume", "study", "sweeps", "sweeps_with_starts", "trace",
+    "unstable_branches"))]
 BEGIN, END = "<!-- tests/mutation.sh writes this table -->\n", "<!-- end of the mutants -->\n"
 HEAD = ("| folder | tried | caught by the file's own unit tests | by the folder's | by others | by tests of ranks or of the program "
         "| equivalent | survived | on |\n|" + "---|" * 9)
@@ -124,8 +130,8 @@ class Tree:
             log = self.build / "log"
             if not (self.build / "build.ninja").exists():
                 # One instruction set of the kernels is enough.
-                subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DBUILD_TESTING=ON", "-DCMAKE_BUILD_TYPE=Release",
-                                "-DCMAKE_UNITY_BUILD=ON", "-DPETERKA_UNITY_TESTS=ON",
+                subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DBUILD_TESTING=ON",
+                                "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DPETERKA_UNITY_TESTS=ON",
                                 f"-DCMAKE_CXX_FLAGS=-w -fmax-errors=0 -include {HERE}/mutant.hpp -DHWY_COMPILE_ONLY_STATIC",
                                 "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"], check=True, stdout=subprocess.DEVNULL)
             with log.open("w") as to:
@@ -161,9 +167,21 @@ def suites(pattern: str) -> set[str]:
             for name in re.findall(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+),", file.read_text(), re.M)}
 
 
+def versions() -> dict[str, str]:
+    """{suite: hash of the files of its tests}."""
+    texts = defaultdict(str)
+    for file in sorted((ROOT / "tests/unit").glob("*.cpp")):
+        for name in suites(file.stem):
+            texts[name] += file.read_text()
+    return {name: hashlib.sha1(text.encode()).hexdigest() for name, text in texts.items()}
+
+
 class Trial:
     def __init__(self, tree: Tree):
         self.build = tree.build
+        self.versions = versions()
+        self.passed_file = self.build / "passed.json"  # {mutant: {suite that missed it: its version}}
+        self.passed = json.loads(self.passed_file.read_text()) if self.passed_file.exists() else {}
         self.unit = [str(self.build / "tests/unit_tests"), "--gtest_brief=1", "--gtest_fail_fast"]
         self.whole = {"mpi": ["mpiexec", "-n", "2", str(self.build / "tests/mpi_tests")]}
         self.whole |= {name: ["/usr/bin/python3", "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", str(ROOT / "tests" / name)]
@@ -173,45 +191,65 @@ class Trial:
         self.reached, self.seconds = {}, {}  # {suite or name: numbers}, {the same: seconds}
 
     def look(self) -> None:
-        """Records what reaches which mutant, and how long it takes."""
-        record = self.build / "reached"
+        """Records what reaches which mutant, and how long it takes: of suites that are new or changed."""
+        file, record = self.build / "looked.json", self.build / "reached"
+        looked = json.loads(file.read_text()) if file.exists() else {}  # {suite: [version, seconds, numbers]}
+        listed = output(self.unit[0], "--gtest_list_tests")
+        names = [line.split("#")[0].strip().rstrip(".") for line in listed.splitlines()[1:] if not line.startswith(" ")]
+        new = [name for name in names if name not in looked or looked[name][0] != self.version(name)]
         record.unlink(missing_ok=True)
-        if run([self.unit[0], f"--gtest_output=json:{self.build}/unit.json"], None, PETERKA_REACHED=str(record)):
-            sys.exit(f"a test fails without any mutant: run {self.unit[0]}")
-        always = set()
-        for line in record.read_text().splitlines():
-            name, numbers = line.rsplit(":", 1)
-            if name:
-                self.reached.setdefault(name, set()).update(map(int, numbers.split()))
-            else:
-                always.update(map(int, numbers.split()))
-        for suite in json.loads((self.build / "unit.json").read_text())["testsuites"]:
-            self.seconds[suite["name"]] = float(suite["time"].rstrip("s"))
-            self.reached[suite["name"]] = self.reached.get(suite["name"], set()) | always
+        parts = [part for part in (new[place::os.cpu_count()] for place in range(os.cpu_count())) if part]
+        told = [self.build / f"unit_{place}.json" for place in range(len(parts))]
 
-    def look_at_the_whole(self) -> None:
+        def fails(place):
+            names = ":".join(f"{name}.*" for name in parts[place])
+            return run([self.unit[0], f"--gtest_output=json:{told[place]}", f"--gtest_filter={names}"], None, PETERKA_REACHED=str(record))
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            if any(pool.map(fails, range(len(parts)))):
+                sys.exit(f"a test fails without any mutant: run {self.unit[0]}")
+        reached, always = defaultdict(set), set()
+        for name, numbers in (line.rsplit(":", 1) for line in record.read_text().splitlines()) if parts else ():
+            (reached[name] if name else always).update(map(int, numbers.split()))
+        for suite in (suite for each in told for suite in json.loads(each.read_text())["testsuites"]):
+            name = suite["name"]
+            looked[name] = [self.version(name), float(suite["time"].rstrip("s")), sorted(reached[name] | always)]
+        file.write_text(json.dumps(looked))
+        self.seconds = {name: looked[name][1] for name in names if name in looked}
+        self.reached = {name: set(looked[name][2]) for name in names if name in looked}
+
+    def look_at_the_whole(self, pool) -> None:
         """The same of the tests of ranks and of the program."""
-        record = self.build / "reached"
-        for name in list(self.whole):
+        def look(name):
+            record, begin = self.build / f"reached_{name.replace('/', '_')}", time.monotonic()
             record.unlink(missing_ok=True)
-            begin = time.monotonic()
-            if run(self.whole[name], 300, PETERKA_REACHED=str(record), **self.variables):
+            fails = run(self.whole[name], MOST_SECONDS, PETERKA_REACHED=str(record), **self.variables)
+            return name, fails, time.monotonic() - begin, record
+
+        for name, fails, seconds, record in pool.map(look, list(self.whole)):
+            if fails:
                 print(f"{name} fails, or takes long, without any mutant: not used", file=sys.stderr, flush=True)
                 del self.whole[name]
                 continue
-            self.seconds[name] = time.monotonic() - begin
+            self.seconds[name] = seconds
             self.reached[name] = {int(each) for line in record.read_text().splitlines() for each in line.rsplit(":", 1)[1].split()}
+        self.whole = dict(sorted(self.whole.items(), key=lambda item: self.seconds[item[0]]))
 
     def by_units(self, number: int, mutant: Mutant) -> str | None:
-        """Which unit tests catch it."""
+        """Which unit tests catch it, of suites that don't take long."""
+        return self.by_suites(number, mutant, False)
+
+    def by_suites(self, number: int, mutant: Mutant, slow: bool) -> str | None:
         path = Path(mutant.path)
         folder, stem = path.parent.name, path.stem.removesuffix("-inl")
         own, folders = suites(f"{folder}_{stem}*"), suites(f"{folder}_*")
-        names = [name for name in self.reached if number in self.reached[name]]
+        passed = self.passed.setdefault(mutant.key, {})
+        names = [name for name in self.reached if number in self.reached[name] and name not in self.whole
+                 and passed.get(name, "none") != self.version(name) and slow == (self.seconds[name] > SLOW)]
         of = {name: OWN if bare in own else FOLDERS if bare in folders else OTHERS for name in names for bare in [name.split("/")[-1]]
               + ([name.split("/")[0]] if name.split("/")[0] in folders else [])}
         rank = [OWN, FOLDERS, OTHERS].index
-        left = sorted(names, key=lambda name: (self.seconds[name] > SLOW, rank(of[name]), self.seconds[name]))
+        left = sorted(names, key=lambda name: (rank(of[name]), self.seconds[name]))
         while left:
             now = [left.pop(0)]
             while left and of[left[0]] == of[now[0]] and sum(map(self.seconds.get, now)) + self.seconds[left[0]] < 2:
@@ -219,7 +257,11 @@ class Trial:
             limit = max(LEAST_SECONDS, 10 * sum(map(self.seconds.get, now)))
             if run([*self.unit, "--gtest_filter=" + ":".join(f"{name}.*" for name in now)], limit, PETERKA_MUTANT=str(number)):
                 return of[now[0]]
+            passed.update({name: self.version(name) for name in now})
         return None
+
+    def version(self, name: str) -> str | None:
+        return next((self.versions[part] for part in reversed(name.split("/")) if part in self.versions), None)
 
     def by_the_whole(self, number: int, mutant: Mutant) -> str:
         """Which others do."""
@@ -227,6 +269,8 @@ class Trial:
             if number in self.reached[name] and run(command, max(LEAST_SECONDS, 10 * self.seconds[name]), PETERKA_MUTANT=str(number),
                                                     **self.variables):
                 return f"{WHOLE} {name}"
+        if out := self.by_suites(number, mutant, True):
+            return out
         return SURVIVED if any(number in some for some in self.reached.values()) else f"{SURVIVED} unreached"
 
 
@@ -283,6 +327,8 @@ def main(build_folder, count, seed, *folders):
             if out and not out.startswith(SURVIVED):
                 caught[mutant.key] = out
                 memory.write_text(json.dumps(caught, indent=0))
+            else:
+                trial.passed_file.write_text(json.dumps(dict(trial.passed), indent=0))
             print(f"{out or 'not yet':10} {number:4} {told(mutant)}", flush=True)
             yield number, out
 
@@ -291,7 +337,7 @@ def main(build_folder, count, seed, *folders):
         if any(mutant.key not in caught for mutant in some.values()):
             trial.look()
             result = dict(outcomes(trial.by_units, list(some.items()), pool))
-            trial.look_at_the_whole()
+            trial.look_at_the_whole(pool)
         result |= dict(outcomes(trial.by_the_whole, [(number, mutant) for number, mutant in some.items() if not result.get(number)], pool))
     for number, mutant in some.items():
         if mutant not in known_ones:

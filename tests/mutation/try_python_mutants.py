@@ -53,6 +53,10 @@ def record():
 '''
 
 
+def is_text(node):
+    return isinstance(node, ast.JoinedStr) or isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
 def variants(node):
     """(how this node may go wrong) as new nodes that share its children."""
     if isinstance(node, ast.Compare):
@@ -60,8 +64,7 @@ def variants(node):
             if type(operator) in TURNED:
                 yield ast.Compare(node.left, [TURNED[type(each)]() if at == place else each for at, each in enumerate(node.ops)],
                                   node.comparators)
-    elif isinstance(node, ast.BinOp) and type(node.op) in TURNED and not any(
-            isinstance(each, ast.JoinedStr) or isinstance(each, ast.Constant) and isinstance(each.value, str) for each in (node.left, node.right)):
+    elif isinstance(node, ast.BinOp) and type(node.op) in TURNED and not any(map(is_text, (node.left, node.right))):
         yield ast.BinOp(node.left, TURNED[type(node.op)](), node.right)
     elif isinstance(node, ast.BoolOp):
         yield ast.BoolOp(TURNED[type(node.op)](), node.values)
@@ -77,7 +80,8 @@ def variants(node):
             yield ast.Call(node.func, [node.args[1], node.args[0], *node.args[2:]], node.keywords)
         name = node.func.id if isinstance(node.func, ast.Name) else node.func.attr if isinstance(node.func, ast.Attribute) else None
         if name in NAMES:
-            func = ast.Name(NAMES[name], ast.Load()) if isinstance(node.func, ast.Name) else ast.Attribute(node.func.value, NAMES[name], ast.Load())
+            free = isinstance(node.func, ast.Name)
+            func = ast.Name(NAMES[name], ast.Load()) if free else ast.Attribute(node.func.value, NAMES[name], ast.Load())
             yield ast.Call(func, node.args, node.keywords)
 
 

@@ -120,6 +120,19 @@ TEST(KickScan, CountsNoChaosThatDies) {
     EXPECT_EQ(alone.tried(), 4);
 }
 
+// What is told of chaos that lasts is its shortest stay, wherever that comes among the others.
+TEST(KickScan, JudgesChaosByItsShortestStay) {
+    int stays = 0;
+    const auto [scan, kicks] = scanned_outcomes(1, 4, [&](const KickTried& kick) {
+        if (kick.size() < 0.5) return KickScan::Outcome{End::back, 10};
+        if (chance_of(kick) > 0.01) return KickScan::Outcome{End::back, 180, 150};
+        const std::int64_t followed = stays++ == 0 ? 200 : 5000;
+        return KickScan::Outcome{End::chaos, 30 + followed, followed};
+    });
+    ASSERT_GT(stays, 1);
+    EXPECT_FALSE(scan.found());
+}
+
 // Below the basin boundary some kicks also wander for a while before they return.
 TEST(KickScan, CountsChaosThatLasts) {
     const auto [scan, kicks] = scanned_outcomes(1, 4, [](const KickTried& kick) {
