@@ -39,11 +39,12 @@ SLOW = 3  # seconds of a suite that comes last
 MOST_SECONDS = 120  # of a file of tests of the whole program; slower ones are left out
 LEAST_SECONDS = 30  # before a test counts as endless
 SHARED_MPI = {"OMPI_MCA_rmaps_base_oversubscribe": "1"}
-# Tests of the whole program that don't take long; those that take the least come first.
-END_TO_END = ["job", *(f"end_to_end/test_{name}.py" for name in (
-    "audit_of_starts", "basins", "certificates", "commands", "curves", "curves_over_any_axes", "disk", "failed_cells", "known_motions",
-    "many_starts", "refinement", "seal", "side_files", "stop_and_resume", "study", "sweeps", "sweeps_with_starts", "trace",
-    "unstable_branches"))]
+# Tests of the whole program for what unit tests miss, by folder of src.
+END_TO_END = {
+    "attractors": ["many_starts", "known_motions"], "certificate": ["certificates"], "curves": ["curves", "unstable_branches"],
+    "findings": ["sweeps"], "hdf5": ["stop_and_resume"], "job": ["commands"], "map_file": ["stop_and_resume", "audit_of_starts"],
+    "parallel": ["stop_and_resume"], "refine": ["refinement"], "regime": ["sweeps"], "report": ["sweeps_with_starts", "commands"],
+    "run": ["failed_cells", "commands", "audit_of_starts"], "study": ["study"], "support": ["commands"], "trace": ["trace"]}
 BEGIN, END = "<!-- tests/mutation.sh writes this table -->\n", "<!-- end of the mutants -->\n"
 HEAD = ("| folder | tried | caught by the file's own unit tests | by the folder's | by others | by tests of ranks or of the program "
         "| equivalent | survived | on |\n|" + "---|" * 9)
@@ -184,8 +185,8 @@ class Trial:
         self.passed = json.loads(self.passed_file.read_text()) if self.passed_file.exists() else {}
         self.unit = [str(self.build / "tests/unit_tests"), "--gtest_brief=1", "--gtest_fail_fast"]
         self.whole = {"mpi": ["mpiexec", "-n", "2", str(self.build / "tests/mpi_tests")]}
-        self.whole |= {name: ["/usr/bin/python3", "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", str(ROOT / "tests" / name)]
-                       for name in END_TO_END}
+        self.whole |= {name: ["/usr/bin/python3", "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider",
+                              str(ROOT / f"tests/end_to_end/test_{name}.py")] for name in sum(END_TO_END.values(), [])}
         self.variables = {"PETERKA_BINARY": str(self.build / "peterka"), "MPIEXEC": shutil.which("mpiexec"),
                           "PYTHONPATH": f"{ROOT}/tests/endurance:{ROOT}/tests/end_to_end"}
         self.reached, self.seconds = {}, {}  # {suite or name: numbers}, {the same: seconds}
@@ -218,15 +219,18 @@ class Trial:
         self.seconds = {name: looked[name][1] for name in names if name in looked}
         self.reached = {name: set(looked[name][2]) for name in names if name in looked}
 
-    def look_at_the_whole(self, pool) -> None:
-        """The same of the tests of ranks and of the program."""
+    def look_at_the_whole(self, folders: set[str], pool) -> None:
+        """The same of the tests of ranks, and of the program for these folders."""
+        wanted = [name for name in self.whole if name == "mpi" or any(name in END_TO_END.get(folder, []) for folder in folders)]
+        self.whole = {name: self.whole[name] for name in wanted}
+
         def look(name):
             record, begin = self.build / f"reached_{name.replace('/', '_')}", time.monotonic()
             record.unlink(missing_ok=True)
             fails = run(self.whole[name], MOST_SECONDS, PETERKA_REACHED=str(record), **self.variables)
             return name, fails, time.monotonic() - begin, record
 
-        for name, fails, seconds, record in pool.map(look, list(self.whole)):
+        for name, fails, seconds, record in pool.map(look, wanted):
             if fails:
                 print(f"{name} fails, or takes long, without any mutant: not used", file=sys.stderr, flush=True)
                 del self.whole[name]
@@ -266,6 +270,8 @@ class Trial:
     def by_the_whole(self, number: int, mutant: Mutant) -> str:
         """Which others do."""
         for name, command in self.whole.items():
+            if name != "mpi" and name not in END_TO_END.get(mutant.path.split("/")[0], []):
+                continue
             if number in self.reached[name] and run(command, max(LEAST_SECONDS, 10 * self.seconds[name]), PETERKA_MUTANT=str(number),
                                                     **self.variables):
                 return f"{WHOLE} {name}"
@@ -337,7 +343,7 @@ def main(build_folder, count, seed, *folders):
         if any(mutant.key not in caught for mutant in some.values()):
             trial.look()
             result = dict(outcomes(trial.by_units, list(some.items()), pool))
-            trial.look_at_the_whole(pool)
+            trial.look_at_the_whole({mutant.path.split("/")[0] for number, mutant in some.items() if not result[number]}, pool)
         result |= dict(outcomes(trial.by_the_whole, [(number, mutant) for number, mutant in some.items() if not result.get(number)], pool))
     for number, mutant in some.items():
         if mutant not in known_ones:
