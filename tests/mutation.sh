@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Puts small faults into the code and tells which of them the tests come upon; writes what became of them into the table in
-# tests/README.md. Not part of each commit: 300 faults take about an hour of a core, half of it to build.
+# tests/README.md. Not part of each commit: of 300 faults, most are caught within minutes once they are built, but one that
+# survives takes minutes of its own.
 #   tests/mutation.sh COUNT SEED [FOLDER...]   so many, of these folders of src or of all; SEED: a whole number, which draws them
 #   tests/mutation.sh --python COUNT SEED      the same in postprocess/peterka
 # All faults are in one build, in build/mutation. Repeated, it goes on: what was caught is not tried again.
