@@ -113,6 +113,18 @@ def test_the_worst_is_that_of_plain_loops(tmp_path, starts, hz, mm, log):
         np.testing.assert_allclose(worst, expected)
 
 
+def test_only_cells_of_the_regime_asked_for_have_a_worst_value(tmp_path):
+    random_map(tmp_path / "a.h5")
+    with PeterkaFile(tmp_path / "a.h5") as file:
+        reaches = [reach(file, axis, 0, 0) for axis in (file.rows, file.columns)]
+        found = admitted(file, 0.6, "peak_force")
+        everywhere = worst_of_boxes(found, *reaches)
+        codes = np.unique(found.code[np.isfinite(everywhere)])
+        assert len(codes) > 1
+        for code in codes:
+            np.testing.assert_array_equal(worst_of_boxes(found, *reaches, [code]), np.where(found.code == code, everywhere, np.nan))
+
+
 def test_the_own_start_on_another_motion_spoils_any_but_no_share(tmp_path):
     cells = [[ONE] * 5] * 4
     own = [list(row) for row in cells]

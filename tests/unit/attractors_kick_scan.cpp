@@ -120,6 +120,21 @@ TEST(KickScan, CountsNoChaosThatDies) {
     EXPECT_EQ(alone.tried(), 4);
 }
 
+// Chaos is judged by its shortest stay, here the first of two in one round: others are followed for longer.
+TEST(KickScan, JudgesChaosByItsShortestStay) {
+    int wandering = 0;
+    const auto [scan, kicks] = scanned_outcomes(1, 4, [&](const KickTried& kick) {
+        if (kick.size() < 0.5) return KickScan::Outcome{End::back, 10};
+        const int number = wandering++;
+        const bool stays = number == 10 || number % 100 == 12;
+        if (!stays) return KickScan::Outcome{End::back, 180, 150};
+        const std::int64_t followed = number == 10 ? 200 : 5000;
+        return KickScan::Outcome{End::chaos, 30 + followed, followed};
+    });
+    ASSERT_GT(wandering, 200);
+    EXPECT_FALSE(scan.found());
+}
+
 // Below the basin boundary some kicks also wander for a while before they return.
 TEST(KickScan, CountsChaosThatLasts) {
     const auto [scan, kicks] = scanned_outcomes(1, 4, [](const KickTried& kick) {

@@ -122,6 +122,35 @@ TEST(SweepSummary, IsInHertzMillimetresAndNewtonsWhereTheJobIs) {
     EXPECT_EQ(text.find("Omega"), std::string::npos) << text;
 }
 
+// Each gap's starts follow its last branch.
+TEST(SweepSummary, TellsOfTheStartsOfEachGap) {
+    for (const auto direction : {job::Direction::up, job::Direction::both}) {
+        const bool both = direction == job::Direction::both;
+        job::Job job = testing::job_170mm(0);
+        job.kind = job::Kind::sweep;
+        job.columns = {.from = 1.0, .to = 2.0, .points = 6};
+        job.sweep = {.gap_ratio = {0.0, 0.5, 1.0}, .direction = direction};
+        std::vector<BranchFindings> branches;
+        for (int gap = 0; gap < 3; ++gap) {
+            branches.push_back(rising());
+            branches.back().branch.gap = 0.5 * gap;
+            if (both) branches.push_back(falling());
+            branches.back().branch.gap = 0.5 * gap;
+        }
+        std::vector<GapAttractors> beside(3);
+        for (int gap = 0; gap < 3; ++gap)
+            beside[static_cast<std::size_t>(gap)] = {.points = 6, .several = 2 + gap, .most = 2};
+        const std::string text = sweep_text(scene::Scene(job), branches, beside);
+        std::size_t at = 0;
+        for (const char* words : {"Gap/A0 0 ", "2 of 6 points have several", "Gap/A0 0.5 ",
+                                  "3 of 6 points have several", "Gap/A0 1 ", "4 of 6 points have several"}) {
+            at = text.find(words, at);
+            ASSERT_NE(at, std::string::npos) << words << "\n" << text;
+        }
+        EXPECT_EQ(text.find("points have several", at + 20), std::string::npos) << text;
+    }
+}
+
 TEST(SweepSummary, TwoMotionsWithOneLabelHaveTheirForces) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;

@@ -195,5 +195,19 @@ TEST(RefineRegions, EveryTileIsInOneRegion) {
     EXPECT_EQ(std::set<std::int64_t>(seen.begin(), seen.end()).size(), seen.size());
 }
 
+// Each cell with its attractors, where the job keeps any.
+TEST(Region, AttractorsTakeMemory) {
+    job::Job job = refined(17, 17, 2);
+    const parallel::Tile rectangle{.extent = {17, 17}};
+    const std::int64_t alone = Region::bytes(job, rectangle);
+    job.starts.attractors = 5;
+    EXPECT_EQ(Region::bytes(job, rectangle), alone);
+    job.starts.count = 20;
+    const std::int64_t five = Region::bytes(job, rectangle);
+    job.starts.attractors = 10;
+    EXPECT_GT(five, alone);
+    EXPECT_EQ(Region::bytes(job, rectangle) - five, five - alone);
+}
+
 }  // namespace
 }  // namespace peterka::refine

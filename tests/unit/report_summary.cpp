@@ -116,6 +116,17 @@ TEST(Summary, TwoAttractorsWithOneLabelAreNotOne) {
     EXPECT_TRUE(contains(text, "1/1 with no impact 20.0 %")) << text;
 }
 
+TEST(Summary, OneRankIsNoneOfSeveral) {
+    const auto text = [](int ranks) {
+        return summary_text({scene::Scene(job_of(job::Kind::map)),
+                             {statistics_of_a_hundred_cells(), {}, {}},
+                             "a.h5",
+                             {ranks, 12.5}});
+    };
+    EXPECT_TRUE(contains(text(1), "on 1 rank\n"));
+    EXPECT_TRUE(contains(text(2), "on 2 ranks\n"));
+}
+
 TEST(Summary, ClassesByFrequency) {
     EXPECT_TRUE(contains(summary(statistics_of_a_hundred_cells()), "1/2 15.0 %, 1/1 10.0 %, 2/2 5.0 %\n"));
 }

@@ -1,0 +1,52 @@
+#include "curves/known_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace peterka::curves {
+namespace {
+
+CurvePoint at(double column, double row, double trace, double speed) {
+    CurvePoint point;
+    point.place = {column, row};
+    point.trace = trace;
+    point.total_speed = speed;
+    return point;
+}
+
+// Two legs of a right angle, from (1, 1) to (3, 1) to (3, 5); one step twice.
+Curve corner() {
+    Curve curve;
+    curve.kind = CurveKind::fold;
+    curve.period = 2;
+    curve.points = {at(1, 1, 0, 10), at(3, 1, 2, 20), at(3, 1, 2, 20), at(3, 5, 6, 40)};
+    return curve;
+}
+
+TEST(KnownCurves, DistanceIsThatOfTheNearestChord) {
+    const Nearest below = nearest_on(corner(), {1.5, 0.5}, {1, 1});
+    EXPECT_DOUBLE_EQ(below.distance, 0.5);
+    EXPECT_DOUBLE_EQ(below.trace, 0.5);
+    EXPECT_DOUBLE_EQ(below.total_speed, 12.5);
+    const Nearest beside = nearest_on(corner(), {3.25, 2}, {1, 1});
+    EXPECT_DOUBLE_EQ(beside.distance, 0.25);
+    EXPECT_DOUBLE_EQ(beside.trace, 3);
+    EXPECT_DOUBLE_EQ(beside.total_speed, 25);
+    EXPECT_DOUBLE_EQ(nearest_on(corner(), {0, 1}, {1, 1}).distance, 1);             // before the first point
+    EXPECT_DOUBLE_EQ(nearest_on(corner(), {3, 7}, {1, 4}).distance, 0.5);           // after the last
+    EXPECT_DOUBLE_EQ(nearest_on(corner(), {4, 0}, {1, 1}).distance, std::sqrt(2));  // at the corner
+}
+
+TEST(KnownCurves, APointLiesOnACurveOfItsKindPeriodAndOrbit) {
+    const PlanePoint window{4, 4};
+    EXPECT_TRUE(lies_on(corner(), CurveKind::fold, 2, at(2, 1.001, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1.02, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::grazing, 2, at(2, 1, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 1, at(2, 1, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1, 1.2, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1, 1, 16), window));
+}
+
+}  // namespace
+}  // namespace peterka::curves
