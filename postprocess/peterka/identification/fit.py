@@ -12,11 +12,11 @@ import numpy as np
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
-from .adequacy import refuse_other_motion
+from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events
 from .numbers_found import Identified, identified_from
-from .problem import SHARP, Leg, Problem
+from .problem import Leg, Problem
 from .recording import Recording
 from .samples import Samples
 from .solve import Solved, coarse, levels, solved, start
@@ -110,7 +110,16 @@ def _begun(problem, begun, one, given):
     """Initial parameters."""
     told = {"touch 0" if name == "touch" else "speed 0" if name == "speed" else name: value for name, value in one.value.items()}
     value = start(problem, **{"stop_ratio": begun.stop_ratio, "damping_ratio": FIRST_DAMPING_RATIO, **told})
-    return {**value, **problem.fixed}
+    value.update(problem.fixed)
+    try:  # a signal's median, by which impacts are found, may be far from its offset
+        singles, means = problem.left(value, 0)
+    except (ValueError, FloatingPointError, OverflowError):
+        return value
+    counts = problem.legs[0].samples.counts
+    for name in problem.names:
+        value[f"offset_{name}"] += float(np.average(np.concatenate([singles[name], means[name]]),
+                                                    weights=np.concatenate([np.ones(len(singles[name])), counts]))) / problem.ranges[name]
+    return value
 
 
 def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> Fit:
@@ -127,26 +136,8 @@ def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequenc
     noise, more = levels(found)
     problem = replace(problem, noise={**problem.noise, **noise}, extra_noise=more)
     best = solved(problem, found.value)
-    likeness = _likeness(best)
+    likeness = likeness_of(best)
     return Fit(recording, guess, best, identified_from(best, likeness), max(more.values()), likeness, impacts, unused)
-
-
-def _likeness(found):
-    """Correlation of neighbouring residuals in contact, from 0 to below 1, which increases errors beyond those of white noise."""
-    most, problem = 0.0, found.problem
-    for name in set(SHARP) & set(problem.names):
-        pieces = []
-        for number in range(len(problem.legs)):
-            settled = found.settled[number]
-            left = problem.left(found.value, number, settled.places)[0][name]
-            pieces.append(left[settled.contact & settled.of(name)])
-        square = sum(float(np.sum(left**2)) for left in pieces)
-        count = sum(len(left) for left in pieces)
-        if count > 20 and square > 0:
-            alike = sum(float(np.sum(left[1:] * left[:-1])) for left in pieces) / square
-            if alike > 3 / np.sqrt(count):
-                most = max(most, min(alike, 0.98))
-    return most
 
 
 def telling(fit: Fit) -> Fit:
