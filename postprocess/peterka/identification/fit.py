@@ -15,7 +15,8 @@ from ..errors import PeterkaFileError
 from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events
-from .numbers_found import Identified, identified_from
+from .numbers_found import Identified, Number, identified_from
+from .one_mode import share_of_modes, share_words
 from .problem import Leg, Problem
 from .recording import Recording
 from .samples import Samples
@@ -32,7 +33,7 @@ LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffi
 class Fit:
     """`found` from a `recording`; `solved` has the motion; `impacts` are those of the recording that were used, `unused`
     describes the others; `misfit`: root mean square of the residuals in contact over that elsewhere, the maximum over all
-    signals; `given`: names of the values not fitted."""
+    signals; `share`: of the hammer's mobility in other modes than its swing, None where it isn't told."""
 
     recording: Recording
     guess: Guess
@@ -42,6 +43,7 @@ class Fit:
     likeness: float
     impacts: Sequence[Impact]
     unused: Sequence[str] = ()
+    share: Number | None = None
 
     def contacts(self) -> list[tuple[float, float]]:
         """(begin, end) of each contact of the motion [s], from the beginning of the recording."""
@@ -84,7 +86,13 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
     best = min(found, key=lambda one: one.cost)
-    return agreeing(finished(recording, guess, best, begun.impacts), begun, given)
+    share = share_of_modes(recording, guess, begun)
+    try:
+        return replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
+    except PeterkaFileError as refusal:
+        if share is None or not share.value - 2 * (share.error or 0) > 0:
+            raise
+        raise PeterkaFileError(f"{refusal}; {share_words(share)}") from None
 
 
 def agreeing(found: Fit, begun: Begin, given: Mapping[str, float]) -> Fit:

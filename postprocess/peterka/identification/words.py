@@ -4,6 +4,7 @@ import numpy as np
 
 from .fit import Fit
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
+from .one_mode import share_words
 
 MUCH_LEFT = 3  # multiple of the noise
 
@@ -44,6 +45,8 @@ def recording_lines(fit: Fit) -> list[str]:
     lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
              f"impact{'s' * (impacts != 1)}" + _missing(recording)]
     lines += [f"  {reason}" for reason in fit.unused]
+    if fit.share is not None:
+        lines.append(f"  {share_words(fit.share)}")
     if fit.misfit > MUCH_LEFT:
         lines.append(f"  in contact {fit.misfit:.2g} times as much is left as elsewhere: the stop is more than a spring and a dashpot, "
                      "or the sensor rings; errors allow for it as far as neighbouring samples show it")
