@@ -63,6 +63,14 @@ def test_texts_of_loggers(tmp_path, monkeypatch, case, block):
     np.testing.assert_allclose(found.signals["force"], FORCE, rtol=1e-8, atol=1e-9)
 
 
+@pytest.mark.parametrize("case", [case for case in TEXTS if case not in ("quoted", "comments")])
+def test_plain_texts_are_read_fast(tmp_path, monkeypatch, case):
+    """Not cell by cell, which takes six times as long."""
+    monkeypatch.setattr(number_table.NumberTable, "_one_by_one", None)
+    text, layout = TEXTS[case]
+    assert read_recording(written(tmp_path, text), None, None, layout).count == COUNT
+
+
 def test_units_of_accelerations_and_displacements(tmp_path):
     text = "Time [s],Acceleration [g],Displacement [mm]\n" + rows(TIME, FORCE / 9.80665, 1e3 * PLACE)
     found = read_recording(written(tmp_path, text), None, None)
@@ -101,6 +109,14 @@ def test_times_of_few_digits(tmp_path, monkeypatch):
     found = read_recording(written(tmp_path, "time_s,force_n\n" + rows(time[kept], kept, digits=".10g")), None, None)
     assert found.step == pytest.approx(1 / 51200, rel=1e-8) and found.begin == pytest.approx(100, abs=1e-7)
     assert found.count == 50_000 and found.signals["force"][-1] == 49_999 and np.isnan(found.signals["force"][20_000:30_000]).all()
+
+
+def test_one_time_that_is_off_changes_little():
+    time = np.append(TIME, TIME[-1] + 1.2e-3)
+    times = recording.even_times(time)
+    assert times.begin == pytest.approx(0, abs=3e-6) and times.step == pytest.approx(1e-3, rel=1e-5) and times.count == COUNT + 1
+    with pytest.raises(recording.UnevenTimes, match="at 0.4"):
+        recording.even_times(np.append(TIME, TIME[-1] + 1.45e-3))
 
 
 def test_matlab(tmp_path):

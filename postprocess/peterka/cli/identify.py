@@ -150,7 +150,8 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--rig", metavar="RIG.toml", type=Path, help="default: STEM_rig.toml of the first file")
     parser.add_picture_arguments()
     arguments = parser.parse_args()
-    arguments.layout = Layout(arguments.columns, quantities(parser, arguments.scale), quantities(parser, arguments.sensitivity), arguments.rate_hz)
+    arguments.layout = Layout(arguments.columns, quantities(parser, arguments.scale), quantities(parser, arguments.sensitivity),
+                              arguments.rate_hz)
     stems = [path.stem for path in (*arguments.files, *arguments.driven)]
     if len(set(stems)) < len(stems):
         parser.error("two of the files have the same name, so their pictures would overwrite each other")

@@ -1,8 +1,8 @@
 """Tests whether the fitted motion explains a recording: residuals against noise.
 
 Fits of single impacts, each with its own time and speed, show how much a spring and a dashpot leave unexplained; if the
-whole motion leaves more in the same samples (F test, allowing for correlated neighbours), its springs, gap or cart are wrong. Between impacts the residuals must
-change sign as often as noise does (runs test of Wald and Wolfowitz, 1940).
+whole motion leaves more in the same samples (F test, allowing for correlated neighbours), its springs, gap or cart are wrong.
+Between impacts the residuals must change sign as often as noise does (runs test of Wald and Wolfowitz, 1940).
 """
 
 from collections.abc import Mapping

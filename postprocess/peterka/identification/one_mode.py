@@ -85,7 +85,8 @@ def share_words(share: Number) -> str:
     """Says what a share means."""
     told = f"other modes have {share.value:.3f} ± {share.error:.3f} of the hammer's mobility at the stop"
     if share.value > TOO_MUCH:
-        return told + ", so that it isn't one mass: it swings back slower than its contact with the stop sends it off, and computed forces are off"
+        return (told + ", so that it isn't one mass: it swings back slower than its contact with the stop sends it off, and computed "
+                "forces are off")
     return told
 
 
