@@ -95,9 +95,11 @@ def test_an_offset_far_from_the_median_is_found():
     assert not isinstance(pulls, str) and max(map(abs, pulls.values())) < 4.5, pulls
 
 
-@pytest.mark.parametrize("names, noise, seed", [(("acceleration",), 0.0027666244986762232, 1001), (("force",), 0.0017635837318563448, 1007)])
+@pytest.mark.parametrize("names, noise, seed", [(("acceleration",), 0.0027666244986762232, 1001), (("force",), 0.0017635837318563448, 1007),
+                                                (("acceleration",), 0.001356163020207942, 1005)])
 def test_five_impacts_with_little_noise(names, noise, seed):
-    """Rig 1 of the same, which was refused: springs and gap had come with a restitution that was then not begun with."""
+    """Rig 1 of the same, which was refused: springs and gap had come with a restitution that was then not begun with, or the last
+    impact was missed."""
     pulls = pulls_of(SHORT_FLIGHTS, short_flights(), names, noise, seed)
     assert not isinstance(pulls, str) and max(map(abs, pulls.values())) < 4.5, pulls
 

@@ -26,6 +26,8 @@ from .starts import Begin, Impact, begin, from_swings, noise_levels, samples_of
 FIRST_DAMPING_RATIO = 0.01
 WIDE = {"omega": (0.0, 2.0), "damping_ratio": (0.02, 0.3), "gap": (0.0, 3.0)}  # weakly informative priors
 UNKNOWN = 0.25  # relative standard error above which a number counts as unknown
+EXPLAINED = 1.5  # sum of squares per residual, in standard deviations: above it, another minimum is looked for
+MOST_LATE = 2  # impacts
 LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffices
 
 
@@ -81,6 +83,8 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
             if "damping_ratio" not in one.value:  # from a swing, which is less accurate than one sample
                 value = solved(coarse(problem), value).value
             found.append(solved(problem, value))
+            if found[-1].cost > EXPLAINED * found[-1].rows:
+                found += _one_after_the_other(problem, value)
         except (ValueError, np.linalg.LinAlgError):
             pass  # no convergence from here
     if not found:
@@ -93,6 +97,20 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
         if share is None or not share.value - 2 * (share.error or 0) > 0:
             raise
         raise PeterkaFileError(f"{refusal}; {share_words(share)}") from None
+
+
+def _one_after_the_other(problem, value):
+    """[Solved] without the last impacts at first, then with one more at a time: late ones move the most, and may be missed."""
+    leg, found = problem.legs[0], []
+    for first in range(leg.impacts - 1, max(leg.impacts - 1 - MOST_LATE, 1), -1):
+        then = value
+        for count in range(first, leg.impacts + 1):
+            reached = solved(replace(problem, legs=[replace(leg, impacts=count)]), then)
+            then = reached.value
+        found.append(reached)
+        if reached.cost < EXPLAINED * reached.rows:
+            break
+    return found
 
 
 def agreeing(found: Fit, begun: Begin, given: Mapping[str, float]) -> Fit:
