@@ -85,6 +85,8 @@ def test_a_release_gives_stop_and_springs_within_two_percent(tmp_path, release):
     done = identify(tmp_path, path, "--gap-mm", "3", "--amplitude-mm", "0.89")
     assert (done.returncode, done.stderr) == (0, ""), done.stderr
     assert "of force and displacement at 51.2 kHz, 2 impacts" in done.stdout
+    share, error = re.search(r"other modes have (\S+) ± (\S+) of the hammer's mobility at the stop\n", done.stdout).groups()
+    assert abs(float(share)) < 3 * float(error) < 0.06
     assert_found(done.stdout, TRUE, 0.02)
     assert (tmp_path / "pictures" / "release_identified.png").stat().st_size > 10000
 

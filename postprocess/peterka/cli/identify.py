@@ -6,8 +6,13 @@
     identify.py --restitution E [ERROR] --contact-time-ms T [ERROR] --mass-kg KG
     identify.py --speeds-m-s BEFORE AFTER --contact-time-ms T [ERROR] --mass-kg KG
 
-Recordings have columns time_s or time_ms and one or more of force_n, acceleration_m_s2 or acceleration_g, displacement_m
-or displacement_mm, parted by commas, semicolons or tabs; --from and --to [s] cut out what is before the release, say.
+Recordings are tables as loggers write them, .mat (up to version 7.2) or WAV files. They have a time and one or more of force,
+acceleration and displacement. Columns are named time_s, time_ms, force_n, force_kn, acceleration_m_s2, acceleration_g,
+displacement_m or displacement_mm, or by a quantity and its unit, "Force [kN]", "Time (ms)"; lines before are skipped. --columns
+time[s],force[mV],- names those of a file without such names (SI where no unit is given, - for a column that is left out),
+--sensitivity force=22.4mV/N tells a sensor's, --scale force=FACTOR how many N a number stands for, or full scale of a WAV
+file; --rate-hz stands for a time. Commas, semicolons, tabs or spaces part columns; cells may be empty or NaN, and rows missing.
+--from and --to [s] cut out what is before the release, say.
 Tables have restitution, or speed_before_m_s and speed_after_m_s, and contact_time_s or contact_time_ms. Several files are
 one rig's: their results are averaged, each with its weight. Prints ki, ci, natural frequency, damping ratio and gap with
 standard errors and correlations, draws each recording with what was fitted (STEM_identified), and writes a rig file for jobs
@@ -27,6 +32,7 @@ from ..files.csv_table import column_names
 from ..errors import PeterkaFileError
 from ..files.whole_file import write_text
 from ..identification import picture
+from ..identification.columns import UNITS, Layout, parted, quantity_of, sensitivity_of
 from ..identification.driven import fit_driven
 from ..identification.fit import Fit, fit
 from ..identification.impact_table import COLUMNS, fault_of, from_impact, read_impacts
@@ -87,7 +93,7 @@ def identify(arguments: argparse.Namespace) -> tuple[list[Identified], list[Fit]
         if set(COLUMNS) & set(column_names(path)) and path in arguments.files:
             found.append(from_impact(arguments.mass_kg, *read_impacts(path)))
             continue
-        recording = read_recording(path, arguments.begin, arguments.end)
+        recording = read_recording(path, arguments.begin, arguments.end, arguments.layout)
         one = (fit_driven if path in arguments.driven else fit)(recording, arguments.mass_kg, given(arguments))
         found.append(one.found)
         drawn.append(one)
@@ -131,6 +137,10 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--gap-mm", type=not_negative, help="between hammer at rest and stop; fitted where it isn't given")
     parser.add_argument("--from", dest="begin", metavar="S", type=finite)
     parser.add_argument("--to", dest="end", metavar="S", type=finite)
+    parser.add_argument("--columns", metavar="NAME[UNIT],...", type=lambda text: [name.strip() for name in text.split(",")])
+    parser.add_argument("--scale", metavar="NAME=FACTOR", nargs="+", type=scale, default=[])
+    parser.add_argument("--sensitivity", metavar="NAME=NUMBERmV/UNIT", nargs="+", type=sensitivity, default=[])
+    parser.add_argument("--rate-hz", metavar="HZ", type=positive)
     parser.add_argument("--restitution", metavar="E", nargs="+", type=positive)
     parser.add_argument("--contact-time-ms", metavar="T", nargs="+", type=positive)
     parser.add_argument("--speeds-m-s", metavar=("BEFORE", "AFTER"), nargs=2, type=finite)
@@ -140,6 +150,8 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--rig", metavar="RIG.toml", type=Path, help="default: STEM_rig.toml of the first file")
     parser.add_picture_arguments()
     arguments = parser.parse_args()
+    arguments.layout = Layout(arguments.columns, quantities(parser, arguments.scale), quantities(parser, arguments.sensitivity),
+                              arguments.rate_hz)
     stems = [path.stem for path in (*arguments.files, *arguments.driven)]
     if len(set(stems)) < len(stems):
         parser.error("two of the files have the same name, so their pictures would overwrite each other")
@@ -152,6 +164,42 @@ def read_arguments() -> argparse.Namespace:
     if not stems and not single:
         parser.error("nothing was measured: give a recording, a table, or --restitution and --contact-time-ms")
     return arguments
+
+
+def quantities(parser: OneLineParser, pairs: list[tuple[str, float]]) -> dict[str, float]:
+    """{quantity: number} of such arguments; ends the program where one is said twice."""
+    names = [name for name, _ in pairs]
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        parser.error(f"{twice[0]} is given twice")
+    return dict(pairs)
+
+
+def scale(text: str) -> tuple[str, float]:
+    """(quantity, SI per recorded number) of an argument NAME=FACTOR; negative where a sensor is mounted the other way."""
+    quantity, number = _named(text)
+    factor = _number(number, lambda number: number != 0, "a factor other than 0")
+    return quantity, factor
+
+
+def sensitivity(text: str) -> tuple[str, float]:
+    """(quantity, V per SI unit) of an argument NAME=NUMBERmV/UNIT."""
+    quantity, number = _named(text)
+    try:
+        found = sensitivity_of(quantity, number)
+    except ValueError:
+        found = 0.0
+    if not (np.isfinite(found) and found > 0):
+        raise argparse.ArgumentTypeError(f"'{number}' is no sensitivity of a sensor of {quantity}, as 10mV/{next(iter(UNITS[quantity]))}")
+    return quantity, found
+
+
+def _named(text):
+    name, equals, rest = text.partition("=")
+    quantity = quantity_of(parted(name.strip())[0])
+    if quantity is None or not equals:
+        raise argparse.ArgumentTypeError(f"'{text}' doesn't begin with one of {'=, '.join(UNITS)}=")
+    return quantity, rest
 
 
 def finite(text: str) -> float:

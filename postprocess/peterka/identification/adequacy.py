@@ -1,8 +1,8 @@
 """Tests whether the fitted motion explains a recording: residuals against noise.
 
 Fits of single impacts, each with its own time and speed, show how much a spring and a dashpot leave unexplained; if the
-whole motion leaves more in the same samples (F test), its springs, gap or cart are wrong. Between impacts the residuals must
-change sign as often as noise does (runs test of Wald and Wolfowitz, 1940).
+whole motion leaves more in the same samples (F test, allowing for correlated neighbours), its springs, gap or cart are wrong.
+Between impacts the residuals must change sign as often as noise does (runs test of Wald and Wolfowitz, 1940).
 """
 
 from collections.abc import Mapping
@@ -69,8 +69,28 @@ def _impacts_left(found: Solved, alone: Solved) -> tuple[float, float]:
     own = 2 * len(alone.problem.legs)
     if count <= 3 * own or whole <= itself:
         return 1.0, 1.0
-    ratio = (whole - itself) / own / (itself / (count - own))
+    alike = likeness_of(alone)  # as errors allow for it: what changes slowly is that much larger
+    ratio = (whole - itself) / own / (itself / (count - own)) * (1 - alike) / (1 + alike)
     return float(f.sf(ratio, own, count - own)), float(np.sqrt(whole / itself))
+
+
+def likeness_of(found: Solved) -> float:
+    """Correlation of neighbouring residuals in contact, from 0 to below 1, which increases errors beyond those of white noise."""
+    problem = found.problem
+    most = 0.0
+    for name in set(SHARP) & set(problem.names):
+        pieces = []
+        for number in range(len(problem.legs)):
+            settled = found.settled[number]
+            left = problem.left(found.value, number, settled.places)[0][name]
+            pieces.append(left[settled.contact & settled.of(name)])
+        square = sum(float(np.sum(left**2)) for left in pieces)
+        count = sum(len(left) for left in pieces)
+        if count > 20 and square > 0:
+            alike = sum(float(np.sum(left[1:] * left[:-1])) for left in pieces) / square
+            if alike > 3 / np.sqrt(count):
+                most = max(most, min(alike, 0.98))
+    return most
 
 
 def _between_left(found: Solved, name: str) -> tuple[float, float]:

@@ -12,11 +12,12 @@ import numpy as np
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
-from .adequacy import refuse_other_motion
+from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events
-from .numbers_found import Identified, identified_from
-from .problem import SHARP, Leg, Problem
+from .numbers_found import Identified, Number, identified_from
+from .one_mode import share_of_modes, share_words
+from .problem import Leg, Problem
 from .recording import Recording
 from .samples import Samples
 from .solve import Solved, coarse, levels, solved, start
@@ -25,6 +26,8 @@ from .starts import Begin, Impact, begin, from_swings, noise_levels, samples_of
 FIRST_DAMPING_RATIO = 0.01
 WIDE = {"omega": (0.0, 2.0), "damping_ratio": (0.02, 0.3), "gap": (0.0, 3.0)}  # weakly informative priors
 UNKNOWN = 0.25  # relative standard error above which a number counts as unknown
+EXPLAINED = 1.5  # sum of squares per residual, in standard deviations: above it, another minimum is looked for
+MOST_LATE = 2  # impacts
 LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffices
 
 
@@ -32,7 +35,7 @@ LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffi
 class Fit:
     """`found` from a `recording`; `solved` has the motion; `impacts` are those of the recording that were used, `unused`
     describes the others; `misfit`: root mean square of the residuals in contact over that elsewhere, the maximum over all
-    signals; `given`: names of the values not fitted."""
+    signals; `share`: of the hammer's mobility in other modes than its swing, None where it isn't told."""
 
     recording: Recording
     guess: Guess
@@ -42,6 +45,7 @@ class Fit:
     likeness: float
     impacts: Sequence[Impact]
     unused: Sequence[str] = ()
+    share: Number | None = None
 
     def contacts(self) -> list[tuple[float, float]]:
         """(begin, end) of each contact of the motion [s], from the beginning of the recording."""
@@ -79,12 +83,34 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
             if "damping_ratio" not in one.value:  # from a swing, which is less accurate than one sample
                 value = solved(coarse(problem), value).value
             found.append(solved(problem, value))
+            if found[-1].cost > EXPLAINED * found[-1].rows:
+                found += _one_after_the_other(problem, value)
         except (ValueError, np.linalg.LinAlgError):
             pass  # no convergence from here
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
     best = min(found, key=lambda one: one.cost)
-    return agreeing(finished(recording, guess, best, begun.impacts), begun, given)
+    share = share_of_modes(recording, guess, begun)
+    try:
+        return replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
+    except PeterkaFileError as refusal:
+        if share is None or not share.value - 2 * (share.error or 0) > 0:
+            raise
+        raise PeterkaFileError(f"{refusal}; {share_words(share)}") from None
+
+
+def _one_after_the_other(problem, value):
+    """[Solved] without the last impacts at first, then with one more at a time: late ones move the most, and may be missed."""
+    leg, found = problem.legs[0], []
+    for first in range(leg.impacts - 1, max(leg.impacts - 1 - MOST_LATE, 1), -1):
+        then = value
+        for count in range(first, leg.impacts + 1):
+            reached = solved(replace(problem, legs=[replace(leg, impacts=count)]), then)
+            then = reached.value
+        found.append(reached)
+        if reached.cost < EXPLAINED * reached.rows:
+            break
+    return found
 
 
 def agreeing(found: Fit, begun: Begin, given: Mapping[str, float]) -> Fit:
@@ -110,7 +136,16 @@ def _begun(problem, begun, one, given):
     """Initial parameters."""
     told = {"touch 0" if name == "touch" else "speed 0" if name == "speed" else name: value for name, value in one.value.items()}
     value = start(problem, **{"stop_ratio": begun.stop_ratio, "damping_ratio": FIRST_DAMPING_RATIO, **told})
-    return {**value, **problem.fixed}
+    value.update(problem.fixed)
+    try:  # a signal's median, by which impacts are found, may be far from its offset
+        singles, means = problem.left(value, 0)
+    except (ValueError, FloatingPointError, OverflowError):
+        return value
+    counts = problem.legs[0].samples.counts
+    for name in problem.names:
+        value[f"offset_{name}"] += float(np.average(np.concatenate([singles[name], means[name]]),
+                                                    weights=np.concatenate([np.ones(len(singles[name])), counts]))) / problem.ranges[name]
+    return value
 
 
 def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> Fit:
@@ -127,26 +162,8 @@ def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequenc
     noise, more = levels(found)
     problem = replace(problem, noise={**problem.noise, **noise}, extra_noise=more)
     best = solved(problem, found.value)
-    likeness = _likeness(best)
+    likeness = likeness_of(best)
     return Fit(recording, guess, best, identified_from(best, likeness), max(more.values()), likeness, impacts, unused)
-
-
-def _likeness(found):
-    """Correlation of neighbouring residuals in contact, from 0 to below 1, which increases errors beyond those of white noise."""
-    most, problem = 0.0, found.problem
-    for name in set(SHARP) & set(problem.names):
-        pieces = []
-        for number in range(len(problem.legs)):
-            settled = found.settled[number]
-            left = problem.left(found.value, number, settled.places)[0][name]
-            pieces.append(left[settled.contact & settled.of(name)])
-        square = sum(float(np.sum(left**2)) for left in pieces)
-        count = sum(len(left) for left in pieces)
-        if count > 20 and square > 0:
-            alike = sum(float(np.sum(left[1:] * left[:-1])) for left in pieces) / square
-            if alike > 3 / np.sqrt(count):
-                most = max(most, min(alike, 0.98))
-    return most
 
 
 def telling(fit: Fit) -> Fit:

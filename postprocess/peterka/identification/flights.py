@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import least_squares
 
+from .contact_pulse import identified
 from .starts import Begin
 
 ANGLES = np.pi * np.linspace(0.6, 1.99, 1200)  # omega T of the first flight: below pi the springs are preloaded against the stop
@@ -79,7 +80,10 @@ def _nearest(off, speed, omega, ratio, given):
     omega_there, ratio_there = springs(answer.x)
     swing = speed / omega_there
     gap = given.get("gap", off(omega_there, ratio_there, answer.x[2])[1])
-    return Start(float(omega_there), float(swing), {"damping_ratio": float(ratio_there), "gap": float(gap / swing)}, float(answer.cost))
+    # The stop goes with the springs: at another restitution these don't meet the later impacts.
+    stiffness, damping = identified(1.0, min(off.restitution(answer.x[2]), 1.0), 1.0)
+    return Start(float(omega_there), float(swing), {"damping_ratio": float(ratio_there), "gap": float(gap / swing),
+                                                    "stop_ratio": 0.5 * damping / np.sqrt(stiffness)}, float(answer.cost))
 
 
 @dataclass(frozen=True)
@@ -90,10 +94,14 @@ class _Off:
     lag: float
     told_gap: float | None
 
+    def restitution(self, back: Any) -> Any:
+        """The restitution raised by this many standard deviations."""
+        return self.begun.restitution * np.exp(LEAST_SPEED * back)
+
     def __call__(self, omega: Any, ratio: Any, back: Any) -> tuple[Any, Any]:
         """([deviations, in standard deviations], gap [m]) for these springs and a restitution raised by this many standard deviations."""
         impacts, gap, rows = self.begun.impacts, None, [back + 0 * omega]
-        restitution = self.begun.restitution * np.exp(LEAST_SPEED * back)
+        restitution = self.restitution(back)
         speed = impacts[0].speed + 0 * omega
         for before, after in zip(impacts, impacts[1:]):
             leaving = restitution * speed

@@ -4,6 +4,7 @@ import numpy as np
 
 from .fit import Fit
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
+from .one_mode import share_words
 
 MUCH_LEFT = 3  # multiple of the noise
 
@@ -42,12 +43,29 @@ def recording_lines(fit: Fit) -> list[str]:
     recording, impacts = fit.recording, len(fit.impacts)
     signals = " and ".join(recording.signals)
     lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
-             f"impact{'s' * (impacts != 1)}" + (f"; {recording.missing} samples are missing" if recording.missing else "")]
+             f"impact{'s' * (impacts != 1)}" + _missing(recording)]
     lines += [f"  {reason}" for reason in fit.unused]
+    if fit.share is not None:
+        lines.append(f"  {share_words(fit.share)}")
     if fit.misfit > MUCH_LEFT:
         lines.append(f"  in contact {fit.misfit:.2g} times as much is left as elsewhere: the stop is more than a spring and a dashpot, "
                      "or the sensor rings; errors allow for it as far as neighbouring samples show it")
     return lines
+
+
+def _missing(recording):
+    missing = recording.missing
+    if not missing:
+        return ""
+    count, longest, begin = recording.gaps()
+    if count == 1:
+        return f"; {missing} samples are missing, from {begin:.6g} s on for {number_in_ms(longest)}"
+    return f"; {missing} samples are missing in {count} places, most of them from {begin:.6g} s on, for {number_in_ms(longest)}"
+
+
+def number_in_ms(seconds: float) -> str:
+    """0.0123 s becomes "12.3 ms"."""
+    return f"{1e3 * seconds:.4g} ms"
 
 
 def _scaled(number, factor):
