@@ -220,11 +220,20 @@ class Regular:
 NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
+def with_ratios_first(words):
+    """What leads with Hz and mm, as a job in these units does, as one in ratios would say it."""
+    for name, symbol, unit in (("frequency", "Ω/ω", "Hz"), ("gap", "gap/A₀", "mm")):
+        one = COORDINATES[name][2] * (1e3 if unit == "mm" else 1)
+        words = re.sub(rf"{name} = ([\d.]+) {unit}", lambda told: f"{symbol} = {float(told[1]) / one:.6g}", words)
+        words = re.sub(rf"{name} ([\d.]+ {unit}) \(({name}_ratio [\d.]+)\)", r"\2 (\1)", words)
+    return words
+
+
 def words_agree(one, other):
-    """The same words, and numbers that differ by at most one in their last digit."""
+    """The same words, and numbers that differ by at most one in their last digit; whichever of both units leads."""
     if len(one) != len(other):
         return False
-    for first, second in zip(one, other):
+    for first, second in zip(map(with_ratios_first, one), map(with_ratios_first, other)):
         if NUMBER.sub("#", first) != NUMBER.sub("#", second):
             return False
         for a, b in zip(NUMBER.findall(first), NUMBER.findall(second)):
