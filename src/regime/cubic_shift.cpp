@@ -1,5 +1,6 @@
 #include "regime/cubic_shift.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "regime/orbit_round.hpp"
@@ -28,7 +29,8 @@ Task<CubicShift> shift_by_cubic(CycleBroker& broker, scene::Oscillator<double> o
     const auto step = first.correct(orbit.points);
     if (!step) co_return {{}, map.cycles_spent()};
 
-    Recorder<double> recorder;
+    const bool knows_speed = std::isfinite(without.impact_speed);
+    Recorder<double> recorder(knows_speed ? trajectory::Detail::impacts : trajectory::Detail::force);
     OrbitRound second(without.period);
     for (std::size_t n = 0; n < q; ++n) {
         const CycleResult cycle = co_await map.cycle(orbit.points[n], &recorder);
@@ -43,8 +45,9 @@ Task<CubicShift> shift_by_cubic(CycleBroker& broker, scene::Oscillator<double> o
                        first.pattern() == second.pattern() && totals.impacts == without.impacts &&
                        !goes_too_far(oscillator, engine, totals.displacement_bound);
     if (!alike) co_return {{}, map.cycles_spent()};
-    const double change =
-        totals.struck_rigid_stop ? *step : std::abs(totals.peak_force() / without.peak_force - 1);
+    const double of_speed = knows_speed ? std::abs(totals.impact_speed / without.impact_speed - 1) : 0;
+    const double change = totals.struck_rigid_stop ? std::max(*step, of_speed)
+                                                   : std::abs(totals.peak_force() / without.peak_force - 1);
     if (!std::isfinite(change)) co_return {{}, map.cycles_spent()};
     const double open = *step > 0 ? *rest / *step : 0;
     co_return {change * (1 + 2 * open), map.cycles_spent()};

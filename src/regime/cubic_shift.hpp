@@ -15,9 +15,10 @@
 namespace peterka::regime {
 
 struct CubicShift {
-    // Relative change of the peak force or, on a rigid stop, whose forces have no bound, of the orbit itself;
-    // includes what a third step might add. None if the full springs have no stable orbit nearby with the same
-    // contacts, or if it goes further than the engine was chosen for.
+    // Relative change of the peak force or, on a rigid stop, whose forces have no bound, of the orbit itself
+    // and, where the result without has one, of the largest impact speed; includes what a third step might add.
+    // None if the full springs have no stable orbit nearby with the same contacts, or if it goes further than
+    // the engine was chosen for.
     std::optional<double> change;
     std::int64_t cycles = 0;  // spent
 };

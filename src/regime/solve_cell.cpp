@@ -155,9 +155,13 @@ class CellSolver {
         return may_turn || is_near_its_edge(without, effect);
     }
 
+    // Or, on a rigid stop, the largest impact speed, if it is known.
     [[nodiscard]] bool changes_force(const CellResult& with, const CellResult& without) const {
-        if (with.regime == Regime::no_impact || std::isnan(without.peak_force)) return false;
-        return !(std::abs(with.peak_force / without.peak_force - 1) <= solver_.omit_tolerance);
+        const bool has_force = !std::isnan(without.peak_force);
+        const double before = has_force ? without.peak_force : without.impact_speed;
+        const double after = has_force ? with.peak_force : with.impact_speed;
+        if (with.regime == Regime::no_impact || std::isnan(before)) return false;
+        return !(std::abs(after / before - 1) <= solver_.omit_tolerance);
     }
 
     // Keeps every term, in a search with this tolerance; an orbit found is refined to the requested one. The

@@ -33,11 +33,14 @@ bool has_cubic(const job::Job& job) {
 
 std::string cubic_in_words(const job::Job& job, const findings::Statistics& statistics) {
     if (!has_cubic(job)) return "cubic spring: the job has none (k3 = 0)";
+    const bool has_speed = job.output.has(cell::OptionalField::impact_speed);
+    const char* what = !job::is_rigid(job.contact) ? "the peak force"
+                       : has_speed                 ? "the orbit and its impact speed"
+                                                   : "the orbit";
     return fmt::format(
-        "cubic spring: in {} cells, where it changes no label and the peak force by less than omit_tolerance = "
-        "{:g}, or "
+        "cubic spring: in {} cells, where it changes no label and {} by less than omit_tolerance = {:g}, or "
         "where chaos or rounding decides{}",
-        readable_count(cells_of(statistics, Engine::exact)), job.solver.omit_tolerance,
+        readable_count(cells_of(statistics, Engine::exact)), what, job.solver.omit_tolerance,
         kept_in_words(statistics));
 }
 
