@@ -3,8 +3,8 @@
 // For a periodic cell: near the orbit given by the cell's state at forcing phase 0 there is exactly one
 // periodic orbit of the equation of motion; its smallest period is q cycles, it touches the stop p times in
 // them, meets no event but those of its chain, is asymptotically stable, and its largest force lies between two
-// bounds; against a rigid stop, whose forces have none, its largest impact speed does. For no impact and sustained contact: the steady motion stays away from the stop, or against it, and
-// attracts.
+// bounds; against a rigid stop, whose forces have none, its largest impact speed does. For no impact and
+// sustained contact: the steady motion stays away from the stop, or against it, and attracts.
 //
 // The statement concerns the complete equation with the job's numbers and the cell's coordinates, all exact
 // doubles. From previous computations it takes only the cell's label and state, as a guess.
@@ -25,7 +25,7 @@ struct Certificate {
     cell::Certified verdict = cell::Certified::not_tried;
     Interval force_ratio = nothing();   // the largest force F/(m g0); nothing() where a rigid stop is struck
     Interval impact_speed = nothing();  // of a rigid stop, the largest [m/s]
-    double stability_margin = 0;       // lower bound (stability.hpp)
+    double stability_margin = 0;        // lower bound (stability.hpp)
     [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
 };
 

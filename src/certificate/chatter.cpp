@@ -68,7 +68,8 @@ std::optional<double> speed_before_rest(const Springs<Interval>& springs, const 
         if (!alpha.positive()) return std::nullopt;
         const Interval growth = sqrt(beta / alpha);
         const Interval shrinks = Interval(1) - r * growth;
-        const bool is_bounded = (w * growth - v).negative() && (square(w) / (Interval(2) * alpha) - d).negative();
+        const bool is_bounded =
+            (w * growth - v).negative() && (square(w) / (Interval(2) * alpha) - d).negative();
         if (!is_bounded || !shrinks.positive()) return std::nullopt;
         const Interval takes = Interval(2) * w / (alpha * shrinks);
         if (takes.hi <= time) return (w * growth).hi;
@@ -116,7 +117,8 @@ std::optional<EventChain> find_chatter(const Springs<Interval>& springs, const S
         sort_into_cycle(event, period);
         chain.events.push_back(event);
         const Place<Interval> impact{Interval(event.time), Interval(event.along)};
-        if (!speed_before_rest(springs, impact, time_to_lift_off(springs, chain, impact, event.cycle))) continue;
+        if (!speed_before_rest(springs, impact, time_to_lift_off(springs, chain, impact, event.cycle)))
+            continue;
         // From now on it stays near the stop.
         const double about = near + 2 * approximate.rig.restitution * event.along;
         meets_claim = meets_claim || (phase_zero < end && is_near({0, 0}, approximate, orbit, about));

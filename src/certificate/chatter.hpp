@@ -1,5 +1,5 @@
-// Orbits with chatter: on a rigid stop with r < 1, bounces follow each other ever faster while the stop presses,
-// and end in rest after a finite time (C. Budd and F. Dux, Phil. Trans. R. Soc. A 347, 1994).
+// Orbits with chatter: on a rigid stop with r < 1, bounces follow each other ever faster while the stop
+// presses, and end in rest after a finite time (C. Budd and F. Dux, Phil. Trans. R. Soc. A 347, 1994).
 //
 // At rest on the stop the hammer has the acceleration a(s), s = sin(theta), which rises with s. So each cycle
 // has one stretch of pressing, a > 0, at whose end the hammer lifts off from rest: in one state at one phase,
@@ -7,9 +7,10 @@
 // below proves rest until the next lift-off; q is the number of cycles in between. All neighbours end in the
 // same state: both multipliers are 0.
 //
-// Lemma. The hammer leaves the stop with speed w at a time from which a_min <= a <= a_max for a time T that ends
-// before the lift-off. Let V = 2 w, D = w^2/a_min, and let S bound the slope of the cubic term up to |u| = |g| +
-// D. While |delta'| <= V and |delta| <= D, delta'' lies between alpha = a_min - c V - S D and beta = a_max + c V
+// Lemma. The hammer leaves the stop with speed w at a time from which a_min <= a <= a_max for a time T that
+// ends before the lift-off. Let V = 2 w, D = w^2/a_min, and let S bound the slope of the cubic term up to |u| =
+// |g| + D. While |delta'| <= V and |delta| <= D, delta'' lies between alpha = a_min - c V - S D and beta =
+// a_max + c V
 // + (K + S) D. If alpha > 0, a flight takes at most 2 w/alpha, reaches a depth of at most w^2/(2 alpha), and
 // ends with a speed of at most w sqrt(beta/alpha). If these bounds are below D and V, and kappa = r
 // sqrt(beta/alpha) < 1, then the same holds for the next flight, which begins with kappa w at most, and so on:
@@ -27,8 +28,8 @@ namespace peterka::certificate {
 // Sets springs.lift_off; false if the hammer never lifts off from rest on this stop, or this is not proved.
 [[nodiscard]] bool find_lift_off(Springs<Interval>& springs);
 
-// The chain of a claimed orbit that rests on a rigid stop, in doubles; nothing if it does not. Both springs have
-// their lift_off.
+// The chain of a claimed orbit that rests on a rigid stop, in doubles; nothing if it does not. Both springs
+// have their lift_off.
 [[nodiscard]] std::optional<EventChain> find_chatter(const Springs<Interval>& springs,
                                                      const Springs<double>& approximate,
                                                      const StroboscopicOrbit& orbit);

@@ -1,11 +1,11 @@
 // A periodic orbit with contacts as a chain of events, and the equations that it satisfies.
 //
 // An event lies on a line through (0, 0) of the plane (delta, delta') along a direction d: a touch and a bounce
-// on delta = 0, d = (0, 1); a release and a resumed contact on kappa delta + chi delta' = 0. So its unknowns are
-// its time and its coordinate along d. The leg between two events, in closed form, contributes two equations:
-// it ends where the next event begins. A bounce of a rigid stop lets the next leg begin along (0, -r) instead.
-// After chatter the hammer rests on a rigid stop until it lifts off, along = 0, at a phase known beforehand: the
-// first event of such a chain, whose equations are just that (chatter.hpp).
+// on delta = 0, d = (0, 1); a release and a resumed contact on kappa delta + chi delta' = 0. So its unknowns
+// are its time and its coordinate along d. The leg between two events, in closed form, contributes two
+// equations: it ends where the next event begins. A bounce of a rigid stop lets the next leg begin along (0,
+// -r) instead. After chatter the hammer rests on a rigid stop until it lifts off, along = 0, at a phase known
+// beforehand: the first event of such a chain, whose equations are just that (chatter.hpp).
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,11 @@
 namespace peterka::certificate {
 
 enum class EventKind : std::int8_t {
-    touch,    // delta rises through 0: an impact
-    release,  // the stop's force falls through 0
-    resume,   // the force rises through 0 again before the hammer has left
-    bounce,   // delta rises through 0, and a rigid stop reverses the velocity: an impact
-    lift_off, // the acceleration that presses the hammer at rest against a rigid stop falls through 0
+    touch,     // delta rises through 0: an impact
+    release,   // the stop's force falls through 0
+    resume,    // the force rises through 0 again before the hammer has left
+    bounce,    // delta rises through 0, and a rigid stop reverses the velocity: an impact
+    lift_off,  // the acceleration that presses the hammer at rest against a rigid stop falls through 0
 };
 
 // Whether the stop presses after an event.

@@ -10,7 +10,8 @@ namespace peterka::certificate {
 
 std::int64_t EventChain::impacts() const {
     return std::ranges::count_if(
-        events, [](EventKind kind) { return kind == EventKind::touch || kind == EventKind::bounce; }, &Event::kind);
+        events, [](EventKind kind) { return kind == EventKind::touch || kind == EventKind::bounce; },
+        &Event::kind);
 }
 
 namespace {
@@ -32,6 +33,9 @@ Walk Walk::from_lift_off(const Springs<double>& springs) {
 Walk::End Walk::go_on(double until, Event& event) {
     const Phase<double>& phase = springs_->phase(presses_);
     const Leg<double> leg(phase, time_, state_);
+    const bool rests = springs_->rig.rigid && touched_ && began_with_event_ && state_.velocity == 0 &&
+                       phase.acceleration(state_, leg.start().angle.sine) > 0;
+    if (rests) return End::none;
     const double cap = short_time(phase);
     double offset = 0;
     bool begins = began_with_event_;
@@ -80,7 +84,7 @@ Walk::End Walk::meet(double offset, const Moment<double>& now, Event& event) {
     event.along = surface.velocity == 1 ? now.state.velocity : now.state.position;
     stop_at(scaled(springs_->leaving(event.kind), event.along), time_ + offset);
     event.time = time_;
-    touched_ = event.kind == EventKind::touch;
+    touched_ = event.kind == EventKind::touch || event.kind == EventKind::bounce;
     presses_ = presses_after(event.kind);
     began_with_event_ = true;
     return End::event;

@@ -38,7 +38,8 @@ class Walk {
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] const Vector<double>& state() const { return state_; }
 
-    // Continues until the next event, or until a given time if that comes first. none: neither is reached.
+    // Continues until the next event, or until a given time if that comes first. none: neither is reached, or
+    // the hammer rests, as it does where a rigid stop with r = 0 presses it after an impact.
     enum class End { event, time, none };
     [[nodiscard]] End go_on(double until, Event& event);
 

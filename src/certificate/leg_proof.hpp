@@ -2,9 +2,9 @@
 //
 // Lemma. In flight the stop does not press as long as at each moment delta < 0 or kappa delta + chi delta' < 0;
 // in contact it presses as long as kappa delta + chi delta' > 0 (from a contact with delta > 0, delta can reach
-// 0 only with delta' <= 0, where this fails). A rigid stop is not met as long as delta < 0. At an end, the signal that makes the event is 0, and its slope
-// tells from which side it comes. In between, steps are proved one after the other by S(t + h) <= S + S' h + C
-// h^2/2 with a bound C of |S''| (bends.hpp).
+// 0 only with delta' <= 0, where this fails). A rigid stop is not met as long as delta < 0. At an end, the
+// signal that makes the event is 0, and its slope tells from which side it comes. In between, steps are proved
+// one after the other by S(t + h) <= S + S' h + C h^2/2 with a bound C of |S''| (bends.hpp).
 #pragma once
 
 #include "certificate/signal.hpp"
@@ -25,9 +25,9 @@ class March {
     // One step from the offset, at most up to `until`; on_surface: the signal is 0 there. False: no step can be
     // proved.
     [[nodiscard]] bool step(double until, bool on_surface = false);
-    // The first step from rest on a rigid stop, where the first derivative of delta that is not 0 is negative: the
-    // second, after an impact with r = 0, or the third, at a lift-off. Then delta stays negative for 3, or 4,
-    // times its size over a bound of the next derivative.
+    // The first step from rest on a rigid stop, where the first derivative of delta that is not 0 is negative:
+    // the second, after an impact with r = 0, or the third, at a lift-off. Then delta stays negative for 3, or
+    // 4, times its size over a bound of the next derivative.
     [[nodiscard]] bool leave_at_once(double until);
     [[nodiscard]] bool lift_off(double until);
     [[nodiscard]] double offset() const { return offset_; }

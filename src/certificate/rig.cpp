@@ -22,9 +22,10 @@ Interval stiffness_of(const job::Hammer& hammer) {  // k [N/m]
 }  // namespace
 
 RigOf<double> middle(const Rig& rig) {
-    return {rig.damping_ratio.middle(), rig.stiffness.middle(), rig.damping.middle(), rig.frequency.middle(),
-            rig.gap.middle(),           rig.period.middle(),    rig.cubic.middle(),   rig.absolute,
-            rig.rigid,                  rig.restitution.middle()};
+    return {rig.damping_ratio.middle(), rig.stiffness.middle(), rig.damping.middle(),
+            rig.frequency.middle(),     rig.gap.middle(),       rig.period.middle(),
+            rig.cubic.middle(),         rig.absolute,           rig.rigid,
+            rig.restitution.middle()};
 }
 
 std::optional<Rig> rig_of(const job::CellNumbers& numbers) {

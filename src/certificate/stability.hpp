@@ -2,9 +2,10 @@
 // tr M| < 1 + det M hold exactly if both Floquet multipliers lie inside the unit circle.
 //
 // M is the product of the legs' flows and, at each touch, where the force jumps by chi delta', of the saltation
-// matrix (1 0; -chi 1) (Leine & Nijmeijer 2004); at release and resumed contact the force is continuous, and so
-// is the flow's derivative. All events cross their surfaces transversally, so that the flow is smooth around
-// the orbit.
+// matrix (1 0; -chi 1), at each bounce of a rigid stop of (-r 0; (1 + r) a/w -r), w being the speed before it
+// and a the acceleration of a hammer at rest there (Leine & Nijmeijer 2004); at release and resumed contact the
+// force is continuous, and so is the flow's derivative. All events cross their surfaces transversally, so that
+// the flow is smooth around the orbit.
 #pragma once
 
 #include <vector>

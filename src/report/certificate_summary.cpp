@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "job/twins.hpp"
+#include "scene/scales.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -58,13 +60,20 @@ std::string reasons(const findings::Counts& counts) {
 // With as many decimals as the distance of the bounds justifies, and rounded outwards.
 std::string largest(const scene::Scene& scene, const findings::ProvedPeak& proved) {
     if (!(proved.upper > 0) || scene.rigs_differ()) return "";
-    const double width = std::max(proved.upper - proved.lower, 1e-15 * proved.upper);
-    const int decimals = std::clamp(static_cast<int>(-std::log10(width)), 0, 15);
-    const double half = 0.5 * std::pow(10, -decimals) + 1e-15 * proved.upper;
     const bool rigid = job::is_rigid(scene.job().contact);
+    const bool in_newton = !rigid && job::leads_in_si(scene.job());
+    const double unit = in_newton ? scene::scales_of(scene.job()).weight_n : 1;
+    const double lower = proved.lower * unit;
+    const double upper = proved.upper * unit;
+    const double width = std::max(upper - lower, 1e-15 * upper);
+    const int decimals = std::clamp(static_cast<int>(-std::log10(width)), 0, 15);
+    const double half = 0.5 * std::pow(10, -decimals) + 1e-15 * upper;
     return fmt::format("  {:<20}from {:.{}f} to {:.{}f} {}, of the cells that are proved\n",
-                       rigid ? "largest speed" : "largest force", proved.lower - half, decimals,
-                       proved.upper + half, decimals, rigid ? "m/s of an impact" : "weights");
+                       rigid ? "largest speed" : "largest force", lower - half, decimals, upper + half,
+                       decimals,
+                       rigid       ? "m/s of an impact"
+                       : in_newton ? "N"
+                                   : "weights");
 }
 
 }  // namespace

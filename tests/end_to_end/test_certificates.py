@@ -64,3 +64,19 @@ def test_two_ranks_give_the_same_bytes(all_cells, tmp_path):
     assert launch.run("run", "job.toml", cwd=tmp_path, ranks=2).returncode == 0
     one, two = read(all_cells[0]), read(tmp_path / "job.h5")
     assert all(one[name].tobytes() == two[name].tobytes() for name in one)
+
+
+def test_a_rigid_stop_has_bounds_of_the_speed_and_none_of_the_force(tmp_path):
+    jobs.write(tmp_path, jobs.with_rigid_stop(text('"all"')) + '[output]\nfields = ["impact_speed", "orbit"]\n')
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    cells = read(tmp_path / "job.h5")
+    settled = np.isin(cells["regime"], (0, 1, 3))
+    proved = cells["certified"] > NOT_TRIED
+    assert np.count_nonzero(proved) > 0.97 * np.count_nonzero(settled)
+    assert np.count_nonzero(cells["stability_margin"] == 1) > 20, "those that end in rest"
+    assert np.all(np.isnan(cells["peak_force_lower_ratio"][proved & (cells["regime"] == 1)]))
+    speed, lower, upper = (cells[name][proved] for name in ("impact_speed", "impact_speed_lower", "impact_speed_upper"))
+    assert np.all((lower <= speed * (1 + 1e-3)) & (speed * (1 - 1e-3) <= upper) & (upper - lower <= 1e-7 * upper))
+    assert np.all(np.isnan(cells["impact_speed_lower"][~proved]))
+    assert "m/s of an impact, of the cells that are proved" in finished.stdout

@@ -118,3 +118,9 @@ def test_sine_and_cosine_and_pi():
         sine, cosine = balls.sine_cosine(Ball.of(turns))
         assert (sine * sine + cosine * cosine).holds(balls.one())
     assert str(balls.pi().middle * 10**40 >> 160) == "31415926535897932384626433832795028841971"
+
+
+def test_a_rigid_stop_is_refused_in_words(tmp_path):
+    finished = check(solved(tmp_path, jobs.with_rigid_stop(text(4, '"orbit"'))))
+    assert finished.returncode == 2
+    assert "another stop than a spring and dashpot" in finished.stderr

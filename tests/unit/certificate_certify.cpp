@@ -108,8 +108,6 @@ TEST(Certify, WhatHasNoTheoremIsNotProved) {
     place.numbers.hammer.cubic_stiffness_n_per_m3 = 1e9;
     EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::cubic_spring);
     place.numbers.hammer.cubic_stiffness_n_per_m3 = 0;
-    place.numbers.contact = job::Restitution{0.7};
-    EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::other_stop);
     place.numbers.contact = job::HuntCrossley{1e9, 1.5, 0.1};
     EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::other_stop);
 }

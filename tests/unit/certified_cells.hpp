@@ -1,4 +1,5 @@
-// Cells of the paper's rig with linear springs, as they are solved, for tests of what is proved of them.
+// Cells of the paper's rig with linear springs and any stop, as they are solved, for tests of what is proved of
+// them.
 #pragma once
 
 #include <vector>
@@ -31,17 +32,26 @@ inline scene::Oscillator<double> oscillator_at(const job::CellNumbers& numbers) 
     return oscillator;
 }
 
+inline SolvedPlace solved(const job::CellNumbers& numbers, double displacement = 0, double velocity = 0) {
+    const scene::Oscillator<double> oscillator = oscillator_at(numbers);
+    return {numbers, regime::find_steady_state(oscillator, start_at(oscillator, displacement, velocity), {}, {},
+                                               {.detail = trajectory::Detail::contacts})};
+}
+
 inline SolvedPlace solved_at(double frequency_ratio, double gap_ratio) {
-    const job::CellNumbers numbers = numbers_170mm(frequency_ratio, gap_ratio);
-    return {numbers, solve(oscillator_at(numbers))};
+    return solved(numbers_170mm(frequency_ratio, gap_ratio));
 }
 
 // Cells of one regime on a grid over the paper's plane that misses round numbers.
-inline std::vector<SolvedPlace> cells_of(regime::Regime regime, int points) {
+inline std::vector<SolvedPlace> cells_of(regime::Regime regime, int points,
+                                         const job::Contact& stop = job_170mm(0).contact) {
     std::vector<SolvedPlace> cells;
     for (int row = 0; row < points; ++row) {
         for (int column = 0; column < points; ++column) {
-            SolvedPlace place = solved_at(0.503 + 3.9 * column / points, 0.0137 + 4.9 * row / points);
+            job::CellNumbers numbers =
+                numbers_170mm(0.503 + 3.9 * column / points, 0.0137 + 4.9 * row / points);
+            numbers.contact = stop;
+            SolvedPlace place = solved(numbers);
             if (place.cell.regime == regime) cells.push_back(place);
         }
     }

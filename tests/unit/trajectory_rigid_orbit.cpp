@@ -8,6 +8,7 @@
 
 #include "critical_parameter.hpp"
 #include "rigid_rig.hpp"
+#include "single_impact_orbit.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::trajectory {
@@ -15,50 +16,8 @@ namespace {
 
 using testing::critical_parameter;
 using testing::rigid;
+using testing::SingleImpactOrbit;
 using Outcome = Cycle<double>::Outcome;
-
-// One impact in n cycles, by formula: A = [[0, 1], [-1, -2 zeta]], E = exp(A T).
-struct SingleImpactOrbit {
-    double speed;                // before the impact
-    double phase;                // of the forcing at the impact
-    State<double> at_phase_0;    // (delta, delta')
-    Jacobian<double> monodromy;  // from just before an impact to just before the next
-    double fold;                 // the gap up to which it exists
-
-    SingleImpactOrbit(double r, double eta, double gap, int n, double zeta = 0.02) {
-        const double period = 2 * std::numbers::pi * n / eta;
-        const double rate = std::sqrt(1 - zeta * zeta);
-        const auto flow = [&](double t) {
-            const double decay = std::exp(-zeta * t);
-            const double s = decay * std::sin(rate * t) / rate;
-            const double c = decay * std::cos(rate * t);
-            return Jacobian<double>{{c + zeta * s, s}, {-s, c - zeta * s}};
-        };
-        const Jacobian<double> e = flow(period);
-        const Jacobian<double> inverse = (e - Jacobian<double>::Identity()).inverse();
-        const double alpha = (1 + r) * inverse(0, 1);
-        const double beta = (1 + r) * inverse(1, 1);
-        const double drive = eta * eta;
-        const double p = drive / std::hypot(1 - drive, 2 * zeta * eta);
-        const double a = alpha * alpha + (r + beta) * (r + beta) / drive;
-        const double b = -alpha * gap;
-        speed = (-b + std::sqrt(b * b - a * (gap * gap - p * p))) / a;
-        fold = p * std::sqrt(1 + alpha * alpha * drive / ((r + beta) * (r + beta)));
-        const double theta = std::atan2((gap - alpha * speed) / p, -(r + beta) * speed / (p * eta));
-        const double lag = std::atan2(2 * zeta * eta, 1 - drive);
-        phase = std::fmod(theta + lag + 4 * std::numbers::pi, 2 * std::numbers::pi);
-        Jacobian<double> saltation;
-        saltation << -r, 0, (1 + r) * (drive * std::sin(phase) - gap) / speed, -r;
-        monodromy = e * saltation;
-        // on to the next phase 0
-        const double time = (2 * std::numbers::pi - phase) / eta;
-        const auto steady = [&](double angle) {
-            return State<double>(p * std::sin(angle), p * eta * std::cos(angle));
-        };
-        const State<double> after(gap, -r * speed);
-        at_phase_0 = flow(time) * (after - steady(theta)) + steady(theta + eta * time) - State<double>(gap, 0);
-    }
-};
 
 TEST(RigidOrbit, OneImpactInNCyclesIsThatOfTheFormula) {
     struct Case {

@@ -66,6 +66,8 @@ def claims_of(file: PeterkaFile, cells: int, max_period: int) -> Iterator[tuple[
     if not all(file.data.has(name) for name in ("certified", *CLAIMED)):
         raise file.refusal('has no proofs with orbits; its job needs [certificate], and "orbit" among the fields of [output]')
     tables = tables_of(file.data.attribute("job"))
+    if tables["contact"]["law"] != "kelvin_voigt":
+        raise file.refusal("has another stop than a spring and dashpot; this program proves cells of those alone")
     values = {name: file.data.values(name, slice(None)) for name in ("regime", "certified", *CLAIMED)}
     columns, rows = ((path, file.data.values(name, slice(None))) for path, name in axes_of(tables))
     wanted = np.argwhere((values["regime"] == PERIODIC) & (values["certified"] > 0) & (values["period"] <= max_period))
