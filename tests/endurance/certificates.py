@@ -16,7 +16,7 @@ import parts
 GRID = os.environ.get("PETERKA_ATTACKED_GRID", "80")
 UNIT_TESTS = Path(os.environ["PETERKA_BINARY"]).parent / "tests" / "unit_tests"
 LINE = re.compile(r"^attacks: (\w+): (.*): (\d+) tried, (\d+) refused$", re.MULTILINE)
-STOPS = {"KelvinVoigt": "a spring and dashpot", "Rigid032": "a rigid stop, r 0.32", "Rigid08": "a rigid stop, r 0.8"}
+STOPS = {"KelvinVoigt": "a spring and dashpot", "Rigid0": "a rigid stop, r 0", "Rigid032": "a rigid stop, r 0.32", "Rigid08": "a rigid stop, r 0.8"}
 ELSEWHERE = "refused; all others hold there, as an engine finds"
 TOLD = {"another gap, stiffness or damping": ELSEWHERE, "another gap, restitution or damping": ELSEWHERE,
         "the orbit of half the period": "unstable and refused; all others stable by an engine, too",
