@@ -11,7 +11,7 @@ from typing import Any
 from .files.opened import OpenedFile, Source
 from .maps import (
     attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, force_map, last_impact, number_map,
-    peterka_map, quantity_map,
+    peterka_map, proved_map, quantity_map,
 )
 from .maps.curves_file import CurvesFile, Lines, UnstableBranch
 from .maps.map_file import PeterkaFile
@@ -72,6 +72,7 @@ PICTURES = [
       for name in attractor_maps.SHARES),
     Row("kick", ("map",), attractor_maps.draw_kick, lambda file: file.has_kicks),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
+    Row("proved", PLANES, proved_map.draw, lambda file: file.has_proofs),
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
     Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),

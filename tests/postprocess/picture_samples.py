@@ -32,12 +32,12 @@ PLAIN = [
 
 
 UNITS = {"impact_speed": "m/s", "impulse": "N s", "contact_time": "s", "contact_power_w": "W", "max_displacement": "m"}
-INTEGER_FIELDS = {"chatter": "i1", "computed": "i1", "last_impact": "i4", "observed_cycles": "i4"}
+INTEGER_FIELDS = {"chatter": "i1", "computed": "i1", "certified": "i1", "last_impact": "i4", "observed_cycles": "i4"}
 
 
 def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=None, fields=None, **attributes):
     """`cells[row][column]` is (regime, impacts, period); forces default to 10 + row + column/10. `fields`: optional
-    datasets, those of UNITS, chatter, computed, last_impact and observed_cycles."""
+    datasets, those of UNITS, chatter, computed, certified, last_impact and observed_cycles."""
     rows, columns = np.shape(cells)[:2]
     coordinates = {
         "gap_ratio": np.linspace(0, 3, rows) if gap_ratio is None else gap_ratio,

@@ -47,6 +47,7 @@ SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_p
          "attractor_peak_force_ratio": REAL, "basin_share": REAL}
 # Optional: for the attractors, or for the cells of a map without [starts].
 KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
+PROVED_BOUNDS = {"impact_speed_lower", "impact_speed_upper"}  # told beside impact_speed, no pictures of their own
 MAX_SLOTS = 64
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits into some tens of megabytes
 BAND_CELLS = 2**21
@@ -68,7 +69,7 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
-    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors,
+    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, has_proofs, attractors,
     audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
     of the cell."""
 
@@ -119,7 +120,7 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
-        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys()
+        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys() | PROVED_BOUNDS
                             and self._is_quantity(name)]
         self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
         for name in self.numbers:
@@ -128,6 +129,7 @@ class PeterkaFile(OpenedFile):
         self.has_last_impact = self._has_integers("last_impact")
         self._has_observed_cycles = self._has_integers("observed_cycles")
         self.is_refined = self._has_integers("computed")
+        self.has_proofs = self._has_integers("certified")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.slots = self._slots()
         self.has_kicks = self.kind == "map" and all(self.data.has(name) for name in KICKS)
@@ -200,6 +202,8 @@ class PeterkaFile(OpenedFile):
         for name in {"chatter", "computed"} & columns.keys():
             if not np.isin(columns[name], [0, 1, NOT_COMPUTED]).all():
                 raise self.refusal(f"has a {name} that is neither 0 nor 1")
+        if "certified" in columns and not np.isin(columns["certified"], [*range(-8, 3), NOT_COMPUTED]).all():
+            raise self.refusal("has a certified that is no verdict from -8 to 2")
 
     def _axis(self, name: str) -> Axis:
         """The Axis of a stored coordinate."""

@@ -2,6 +2,13 @@
 
 const MOST_STARTS = 60;
 
+// A row of the panel's list.
+function numbered(name, value) {
+  const [term, detail] = [document.createElement("dt"), document.createElement("dd")];
+  [term.textContent, detail.textContent] = [name, value];
+  return [term, detail];
+}
+
 class CellPanel {
   constructor(element, workers) {
     this.element = element;
@@ -66,6 +73,7 @@ class CellPanel {
       : proof(answer, data.multipliers);
     this.#compare(answer);
     this.#numbers(answer);
+    if (this.stored) this.#tellProof(this.stored);
     if (this.start) this.#keepStart(answer);
     this.#showMotion();
     if (this.element("basin").checked && !this.charts.basin) this.#basinOn();
@@ -100,12 +108,11 @@ class CellPanel {
       ["impacts per cycle", number(answer.impact_rate, "")],
       ["Lyapunov exponent", number(answer.lyapunov, "per cycle", 3)],
     ];
-    const list = this.element("numbers");
-    list.replaceChildren(...rows.flatMap(([name, value]) => {
-      const [term, detail] = [document.createElement("dt"), document.createElement("dd")];
-      [term.textContent, detail.textContent] = [name, value];
-      return [term, detail];
-    }));
+    this.element("numbers").replaceChildren(...rows.flatMap(([name, value]) => numbered(name, value)));
+  }
+  async #tellProof(stored) {
+    const proof = await file.proof(stored.row, stored.column);
+    if (proof && this.stored === stored) this.element("numbers").append(...numbered(...proofWords(proof)));
   }
   #keepStart(answer) {
     const colour = content.classes[classOf(answer.regime, answer.impacts, answer.period)].colour;

@@ -88,7 +88,21 @@ const file = {
   value(row, column) {
     if (!this.holds(row, column)) throw new RangeError(`the ${content.kind} has no cell in row ${row}, column ${column}`);
     const [regime, impacts, period] = this.label(row, column);
-    return { regime, impacts, period, peak_force_ratio: this.number("peak_force_ratio", row, column) };
+    return { regime, impacts, period, peak_force_ratio: this.number("peak_force_ratio", row, column), row, column };
+  },
+  // What is proved about a cell [certified, lower, upper, in what unit], or why nothing is [reason in words]; null where
+  // nothing was tried or the file has no proofs, or only shortened ones. Loads what it needs.
+  async proof(row, column) {
+    const layers = ["certified", "peak_force_lower_ratio", "peak_force_upper_ratio", "impact_speed_lower", "impact_speed_upper"]
+      .map((name) => this.layer(name)).filter(Boolean);
+    if (!layers.length || content.layers.some(({ name, plane }) => name === "peak_force_lower_ratio" && plane.as !== "reals")) return null;
+    await Promise.all(layers.map((layer) => this.loadLayer(layer)));
+    const certified = this.number("certified", row, column);
+    if (!(certified > 0)) return certified < 0 ? { reason: this.layer("certified").words?.[certified]?.replaceAll("_", " ") } : null;
+    const speed = this.number("impact_speed_upper", row, column) > 0;
+    const [lower, upper] = ["lower", "upper"].map((side) => this.number(speed ? `impact_speed_${side}` : `peak_force_${side}_ratio`, row, column));
+    const factor = speed ? 1000 : content.newtons ?? 1;
+    return { fromStart: certified > 1, lower: lower * factor, upper: upper * factor, unit: speed ? "mm/s" : content.newtons ? "N" : "m g" };
   },
   layer(name) {
     return this.layers.find((one) => one.name === name);

@@ -12,6 +12,15 @@ function amount(value, unit, count = 4) {
   return number(value / one, `${letter}${unit}`, count);
 }
 
+// Bounds of a number, rounded outward to as many digits as tell them apart, 7 at most.
+function between(lower, upper, unit) {
+  const size = Math.floor(Math.log10(upper));
+  const decimals = Math.min(Math.max(6 - size, 0), 12);
+  const power = 10 ** decimals;
+  const [from, to] = [Math.floor(lower * power * (1 - 1e-15)), Math.ceil(upper * power * (1 + 1e-15))];
+  return `${(from / power).toFixed(decimals)} … ${(to / power).toFixed(decimals)} ${unit}`;
+}
+
 function timeWords(seconds) {
   if (!(seconds > 0)) return seconds === 0 ? "0 s" : "–";
   const { scale, unit } = timeUnit(seconds);
@@ -43,6 +52,13 @@ const WHY = {
   7: "its peak force may be off by more than the job's tolerance",
   8: "the budget ran out before chaos could be told from a long transient",
 };
+
+// What the file's certificate of a cell says, as the name and the value of a row.
+function proofWords({ reason, fromStart, lower, upper, unit }) {
+  if (reason) return ["not proved", reason];
+  const what = upper > 0 ? between(lower, upper, unit) : "the motion";
+  return ["proved", fromStart ? `${what}, and that the start leads there` : what];
+}
 
 // The proof behind the engine's answer.
 function proof(answer, multipliers) {

@@ -1,0 +1,55 @@
+"""Shows of which cells the motion is proved in interval arithmetic, and why that of the others is not."""
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..arrays import Integers
+from ..files.regimes import NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
+from ..plotting import axes
+from ..plotting.picture import picture
+from .map_file import PeterkaFile
+from .reduce import class_picture
+
+WIDTH = 3.7  # in
+UNSETTLED = 100
+# By the number of `certified`, or UNSETTLED: words and colour, in the order of the legend.
+VERDICTS = {
+    2: ("proved, and that the start leads there", "#0072B2"),
+    1: ("proved", "#7FC4F0"),
+    -1: ("cubic spring too strong", "#4F7A46"),
+    -2: ("no theorem for this stop", "#8F5F86"),
+    -3: ("no orbit found", "#D55E00"),
+    -4: ("another p or q", "#762024"),
+    -5: ("no orbit enclosed", "#E69F00"),
+    -6: ("near a grazing", "#1A1A1A"),
+    -7: ("not surely stable", "#CC79A7"),
+    -8: ("force not bounded", "#F0E442"),
+    0: ("not tried", "#C8C8C8"),
+    UNSETTLED: ("no motion that settles", "#F2F2F2"),
+    NOT_COMPUTED: ("not computed yet", "#FFFFFF"),
+}
+_NUMBERS = np.array(sorted(VERDICTS))
+NAMES = [VERDICTS[number][0] for number in _NUMBERS.tolist()]
+COLOURS = [VERDICTS[number][1] for number in _NUMBERS.tolist()]
+MISSING = NAMES.index("not computed yet")
+
+
+@picture(PeterkaFile)
+def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
+    """The picture as Axes, with the share of each verdict in its legend."""
+    reduced, counts = class_picture(file, ["regime", "certified"], _classify, len(NAMES))
+    verdicts = [NAMES.index(words) for words, _ in VERDICTS.values()]
+    handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
+               for n in verdicts if counts[n]]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], ax=ax)
+    axes.show_classes(ax, reduced, COLOURS, MISSING)
+    axes.label_axes(ax, file)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, "what is proved", ax)
+    return ax
+
+
+def _classify(regime: Integers, certified: Integers) -> Integers:
+    settled = (regime == NO_IMPACT) | (regime == PERIODIC) | (regime == SUSTAINED_CONTACT) | (regime == NOT_COMPUTED)
+    number = np.where(regime == NOT_COMPUTED, NOT_COMPUTED, certified.astype(int))
+    return np.searchsorted(_NUMBERS, np.where(settled | (number != 0), number, UNSETTLED))
