@@ -1,7 +1,6 @@
 """Borders from curves over the pictures of a sweep: those met by its motions, in their place, listed in Hz."""
 
 import h5py
-import numpy as np
 import pytest
 from curves_samples import write_curves
 from peterka.errors import PeterkaFileError

@@ -36,10 +36,12 @@ class Ball:
 
     @property
     def low(self) -> int:
+        """The least number enclosed, in units of 2**-bits."""
         return self.middle - self.radius
 
     @property
     def high(self) -> int:
+        """The largest number enclosed, in units of 2**-bits."""
         return self.middle + self.radius
 
     @property
@@ -61,6 +63,7 @@ class Ball:
         return Ball(a * b >> Ball.bits, (abs(a) * s + abs(b) * r + r * s >> Ball.bits) + 2)
 
     def times(self, factor: int) -> Ball:
+        """By an integer, without any loss."""
         return Ball(self.middle * factor, self.radius * abs(factor))
 
     def over(self, divisor: int) -> Ball:
@@ -75,11 +78,13 @@ class Ball:
         return Ball((self.middle << Ball.bits) // other.middle, (spread << Ball.bits) // (least * abs(other.middle)) + 2)
 
     def sqrt(self) -> Ball:
+        """The root; Undecided if the ball holds a negative number."""
         if self.low < 0:
             raise Undecided("the root of what may be negative")
         return Ball.between(isqrt(self.low << Ball.bits), isqrt(self.high << Ball.bits) + 1)
 
     def hull(self, other: Ball) -> Ball:
+        """Encloses both."""
         return Ball.between(min(self.low, other.low), max(self.high, other.high))
 
     def holds(self, other: Ball) -> bool:
@@ -87,6 +92,7 @@ class Ball:
         return self.low <= other.low and other.high <= self.high
 
     def apart(self, other: Ball) -> bool:
+        """Whether the two have no number in common."""
         return self.high < other.low or other.high < self.low
 
     def __float__(self) -> float:
@@ -94,10 +100,12 @@ class Ball:
 
 
 def one() -> Ball:
+    """1, alone in its ball."""
     return Ball(1 << Ball.bits)
 
 
 def zero() -> Ball:
+    """0, alone in its ball."""
     return Ball(0)
 
 
@@ -120,6 +128,7 @@ def _pi(bits):
 
 
 def pi() -> Ball:
+    """Encloses pi."""
     return Ball(_pi(Ball.bits), 2)
 
 
@@ -148,6 +157,7 @@ class Series:
             self.append(coefficient)
 
     def append(self, coefficient: Ball) -> None:
+        """Adds the next higher coefficient."""
         self.middles.append(coefficient.middle)
         self.sizes.append(abs(coefficient.middle))
         self.bounds.append(coefficient.size)
@@ -165,9 +175,11 @@ class Series:
         return Ball(middle >> Ball.bits, (radius >> Ball.bits) + 2)
 
     def slope(self) -> Series:
+        """The derivative."""
         return Series(*(self[n].times(n) for n in range(1, len(self))))
 
     def at(self, x: Ball) -> Ball:
+        """Encloses the values on a ball, by Horner's scheme."""
         value = zero()
         for n in range(len(self) - 1, -1, -1):
             value = value * x + self[n]

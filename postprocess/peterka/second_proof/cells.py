@@ -33,6 +33,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Verdict:
+    """What became of a claim: CONFIRMED, NOT_DECIDED or CONTRADICTED, and why it isn't the first."""
     word: str
     why: str = ""
 

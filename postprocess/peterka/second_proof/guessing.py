@@ -37,6 +37,7 @@ class Simulation:
         return [w, TAU**2 * y - self._turn**2 * (2 * self._zeta * w / self._turn + u + self._gamma * cubic + force)]
 
     def run(self, until: float) -> Simulation:
+        """On to a time [turns]; itself."""
         while self.time < until:
             surface = self._pressure if self._pressed else self._about_to_press
             def crossing(time, state, surface=surface):

@@ -54,6 +54,7 @@ class Phase:
         self.rate = sqrt(float(self.spring)) + float(self.damping) + 6.3  # at which motions change, per turn
 
     def longest_step(self) -> float:
+        """The longest step that is tried [turns]."""
         return 0.8 / self.rate
 
     def slope(self, u: Ball, sine: Ball) -> Ball:
@@ -64,6 +65,7 @@ class Phase:
         return self.spring + (self.bend * x * x).times(3)
 
     def acceleration(self, state: Pair, sine: Ball) -> Ball:
+        """d2u/dT2 at a state (u, du/dT)."""
         u, w = state
         force = self.drive * sine + self.push - self.spring * u - self.damping * w
         if not self.bends:
@@ -105,6 +107,7 @@ class Phase:
         return u, *derivatives
 
     def pressure_at(self, state: Pair) -> Ball:
+        """The stop's force at a state (u, du/dT), over k A0."""
         return self.rig.stiffness * (state[0] - self.rig.gap) + self.rig.damping / self.turn * state[1]
 
 
@@ -141,9 +144,11 @@ class Step:
             series.append(last[order])
 
     def state(self, u: Series, theta: Ball) -> Pair:
+        """(u, du/dT) at a share theta of the step."""
         return u.at(theta), u.slope().at(theta) / self.length
 
     def penetration(self, u: Series) -> Series:
+        """delta = u - gap."""
         return Series(u[0] - self.phase.rig.gap, *(u[n] for n in range(1, len(u))))
 
     def pressure(self, u: Series) -> Series:

@@ -60,6 +60,7 @@ class Shot:
                 self._met[time] = self._cloud()
 
     def passage(self) -> Passage:
+        """What was gathered on the way."""
         force = _largest(self._contacts, self._jumps) if self._radius else zero()
         return Passage(self._point, self._flow, self._met, force)
 
