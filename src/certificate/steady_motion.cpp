@@ -60,9 +60,8 @@ bool contracts(const Phase<Interval>& phase, double u) {
     return (c - slope).positive() && (c * phase.stiffness() - slope * (Interval(1) + c)).positive();
 }
 
-// rho, the largest distance from the linear response; NaN if none is proved.
+// rho, the largest distance from the linear response of springs with a cubic term; NaN if none is proved.
 double shift_of(const Phase<Interval>& phase, const Gain& gain) {
-    if (phase.is_linear()) return 0;
     double shift = 0;
     for (int tries = 0; tries < 20; ++tries) {
         const double u = reach_of_motion(phase, shift);

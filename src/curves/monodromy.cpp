@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "curves/unknowns.hpp"
+#include "trajectory/multiplier.hpp"
 
 namespace peterka::curves {
 
@@ -61,10 +62,7 @@ double speeds_without(const PlacedRig& rig, const Orbit& orbit, double speed, st
 }  // namespace
 
 double Monodromy::multiplier() const {
-    const double half_trace = matrix.trace() / 2;
-    const double discriminant = half_trace * half_trace - determinant;
-    if (discriminant < 0) return std::copysign(std::sqrt(determinant), half_trace);
-    return half_trace + std::copysign(std::sqrt(discriminant), half_trace);
+    return trajectory::largest_multiplier(matrix.trace() / 2, determinant);
 }
 
 Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const PlanePoint& place, Side side) {

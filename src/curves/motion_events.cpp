@@ -2,9 +2,8 @@
 
 #include <variant>
 
-#include "motion/signal.hpp"
 #include "support/stop_if_asked.hpp"
-#include "trajectory/first_crossing.hpp"
+#include "trajectory/phase_ends.hpp"
 
 namespace peterka::curves {
 
@@ -12,9 +11,7 @@ namespace {
 
 using motion::Leg;
 using motion::LinearMotion;
-using motion::Moment;
-using motion::Probe;
-using trajectory::first_crossing;
+using PhaseEnds = trajectory::PhaseEnds<double>;
 using Ending = trajectory::Crossing<double>::Ending;
 
 // The legs and events of trajectory/linear_legs.hpp and rigid_legs.hpp, with the event times recorded.
@@ -26,10 +23,7 @@ class Walk {
           flight_(motion::flight_equation(oscillator_)),
           contact_(rig.is_rigid() ? motion::flight_equation(oscillator_)
                                   : motion::contact_equation(oscillator_)),
-          touch_({.position = 1}, flight_),
-          leave_({.position = -1}, flight_),
-          resume_({.position = rig.force({1, 0}), .velocity = rig.force({0, 1})}, flight_),
-          release_({.position = -rig.force({1, 0}), .velocity = -rig.force({0, 1})}, contact_) {}
+          phase_ends_({.position = rig.force({1, 0}), .velocity = rig.force({0, 1})}, flight_, contact_) {}
 
     [[nodiscard]] std::optional<std::vector<Event>> events(State<double> x, std::int64_t cycles) const {
         std::vector<Event> found;
@@ -43,7 +37,7 @@ class Walk {
                 const Leg<double> leg(phase == Phase::contact ? contact_ : flight_, x,
                                       oscillator_.frequency * time);
                 const double left = oscillator_.period() - time;
-                const Next next = next_event(phase, leg, left);
+                const PhaseEnds::End next = phase_ends_.first_on(phase, leg, left);
                 if (next.ending == Ending::none) {
                     x = leg.at(left).state;
                     break;
@@ -64,7 +58,7 @@ class Walk {
         std::vector<Event> met;
         while (met.empty()) {
             const Leg<double> leg(from.presses ? contact_ : flight_, x, oscillator_.frequency * time);
-            const Next next = next_event(phase, leg, from.time + within - time);
+            const PhaseEnds::End next = phase_ends_.first_on(phase, leg, from.time + within - time);
             if (next.ending != Ending::crossing) return std::nullopt;
             time += next.moment.time;
             enter(next, time, phase, x, met);
@@ -73,33 +67,16 @@ class Walk {
     }
 
   private:
-    struct Next {
-        Ending ending = Ending::none;
-        Phase phase = Phase::flight;
-        Moment<double> moment = {};
-    };
-
-    [[nodiscard]] Next next_event(Phase phase, const Leg<double>& leg, double end) const {
-        if (phase == Phase::unloaded) {
-            const auto out = first_crossing(leg, leave_, leg.start(), end);
-            const bool leaves = out.ending == Ending::crossing;
-            const auto back = first_crossing(leg, resume_, leg.start(), leaves ? out.moment.time : end);
-            if (back.ending != Ending::none) return {back.ending, Phase::contact, back.moment};
-            return {out.ending, Phase::flight, out.moment};
-        }
-        const auto found = first_crossing(leg, phase == Phase::flight ? touch_ : release_, leg.start(), end);
-        return {found.ending, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
-    }
-
-    void enter(const Next& next, double time, Phase& phase, State<double>& x, std::vector<Event>& found) const {
+    void enter(const PhaseEnds::End& next, double time, Phase& phase, State<double>& x,
+               std::vector<Event>& found) const {
         const Phase before = phase;
-        phase = next.phase;
+        phase = next.next;
         x = next.moment.state;
-        if (next.phase == Phase::flight) {  // it leaves the stop, which has released it before
+        if (next.next == Phase::flight) {  // it leaves the stop, which has released it before
             x[0] = 0;
             return;
         }
-        const bool presses = next.phase == Phase::contact;
+        const bool presses = next.next == Phase::contact;
         EventKind kind = EventKind::release;
         if (presses) kind = before == Phase::unloaded && x[1] < 0 ? EventKind::resume : EventKind::touch;
         found.push_back({kind, presses && !rig_.is_rigid(), time, x[1]});
@@ -111,10 +88,7 @@ class Walk {
     const scene::Oscillator<double>& oscillator_;
     LinearMotion<double> flight_;
     LinearMotion<double> contact_;
-    Probe<double> touch_;
-    Probe<double> leave_;
-    Probe<double> resume_;
-    Probe<double> release_;
+    PhaseEnds phase_ends_;
 };
 
 }  // namespace

@@ -170,10 +170,19 @@ void clear_temporary(const std::filesystem::path& temporary) {
     std::filesystem::remove(temporary, ignored);
 }
 
-void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
-    hdf5::DiskFile(temporary).settle();
-    move_file(temporary, path);
-    settle_folder_of(path);
+void make_in_place(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path&)>& write) {
+    const std::filesystem::path temporary = temporary_name(path);
+    try {
+        write(temporary);
+        hdf5::DiskFile(temporary).settle();
+        move_file(temporary, path);
+        settle_folder_of(path);
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
 }
 
 void remove_previous(const std::filesystem::path& path) {
@@ -194,19 +203,13 @@ void remove_files_of_mpi(const std::filesystem::path& path) {
 void make_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance) {
     const bool keep = holds_complete_map(path);
     if (keep) require_room_for_previous(path);
-    const std::filesystem::path temporary = temporary_name(path);
-    clear_temporary(temporary);
+    clear_temporary(temporary_name(path));
     const std::int64_t bytes = predicted_bytes(job, provenance);
     require_space(path, bytes);
-    try {
+    make_in_place(path, [&](const std::filesystem::path& temporary) {
         write_whole(temporary, job, provenance, bytes);
         if (keep) move_file(path, previous_name(path));
-        put_in_place(temporary, path);
-    } catch (...) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw;
-    }
+    });
 }
 
 }  // namespace peterka::map_file

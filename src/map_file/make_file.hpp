@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "job/job.hpp"
 #include "map_file/provenance.hpp"
@@ -22,8 +23,10 @@ namespace peterka::map_file {
 // is refused.
 void clear_temporary(const std::filesystem::path& temporary);
 
-// Waits until the file is on disk, renames it, and waits until its new name is on disk, too.
-void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
+// Writes a file under its temporary name, waits until it is on disk, renames it, and waits until its new name
+// is on disk, too. If any of that throws, the temporary file is removed.
+void make_in_place(const std::filesystem::path& path,
+                   const std::function<void(const std::filesystem::path& temporary)>& write);
 
 // Removes previous_name(path) if it is a complete map.
 void remove_previous(const std::filesystem::path& path);

@@ -145,7 +145,6 @@ void require_place(const std::filesystem::path& path, std::int64_t largest_bytes
 
 void write_whole_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
                       const Contents& contents, const RunFacts& facts) {
-    const std::filesystem::path temporary = temporary_name(path);
     const hdf5::Checked check(path);
     std::vector<ByteRange> unsummed;
     std::vector<std::byte> bytes = bytes_of_file(check, [&](hid_t file) {
@@ -153,15 +152,8 @@ void write_whole_file(const std::filesystem::path& path, const job::Job& job, co
         return unsummed.back().end;
     });
     put_record(bytes, std::move(unsummed));
-    clear_temporary(temporary);
-    try {
-        write_bytes(temporary, bytes);
-        put_in_place(temporary, path);
-    } catch (...) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw;
-    }
+    clear_temporary(temporary_name(path));
+    make_in_place(path, [&](const std::filesystem::path& temporary) { write_bytes(temporary, bytes); });
 }
 
 }  // namespace peterka::map_file

@@ -13,6 +13,7 @@
 #include "regime/cycle_broker.hpp"
 #include "support/reused_memory.hpp"
 #include "trajectory/contact_rates.hpp"
+#include "trajectory/multiplier.hpp"
 
 namespace peterka::regime {
 
@@ -127,10 +128,8 @@ inline double magnitude(const Point& x) {
 
 // Largest |eigenvalue|.
 inline double spectral_radius(const Eigen::Matrix2d& matrix) {
-    const double half_trace = (matrix(0, 0) + matrix(1, 1)) / 2;
     const double determinant = matrix(0, 0) * matrix(1, 1) - matrix(0, 1) * matrix(1, 0);
-    const double discriminant = half_trace * half_trace - determinant;
-    return discriminant < 0 ? std::sqrt(determinant) : std::abs(half_trace) + std::sqrt(discriminant);
+    return std::abs(trajectory::largest_multiplier((matrix(0, 0) + matrix(1, 1)) / 2, determinant));
 }
 
 }  // namespace peterka::regime

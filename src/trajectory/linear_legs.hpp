@@ -22,6 +22,7 @@
 #include "trajectory/journey.hpp"
 #include "trajectory/largest_value.hpp"
 #include "trajectory/leg_record.hpp"
+#include "trajectory/phase_ends.hpp"
 #include "trajectory/recorder.hpp"
 #include "trajectory/spring_change.hpp"
 
@@ -56,60 +57,33 @@ class LinearLegs {
         : oscillator_(oscillator),
           flight_(flight),
           contact_(contact),
-          touch_({.position = 1}, flight_),
-          leave_({.position = -1}, flight_),
-          resume_(force(), flight_),
-          release_(-force(), contact_),
+          phase_ends_(force(), flight_, contact_),
           depth_({.position = 1}, contact_),
           peak_(force(), contact_) {}
-
-    struct LegEnd {
-        typename Crossing<Real>::Ending ending;
-        Phase next;
-        Moment<Real> moment;
-    };
 
     [[nodiscard]] Signal<Real> force() const {
         return {.position = oscillator_.kelvin_voigt().stiffness,
                 .velocity = oscillator_.kelvin_voigt().damping};
     }
 
-    [[nodiscard]] LegEnd end_of_leg(Phase phase, const Leg<Real>& leg, Real end) const;
     void record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end, Recorder<Real>& recorder) const;
     void enter(Phase next, Journey<Real>& journey, Recorder<Real>* recorder) const;
 
     Oscillator<Real> oscillator_;
     LinearMotion<Real> flight_;
     LinearMotion<Real> contact_;
-    Probe<Real> touch_;
-    Probe<Real> leave_;
-    Probe<Real> resume_;
-    Probe<Real> release_;
+    PhaseEnds<Real> phase_ends_;
     Probe<Real> depth_;
     LargestValue<Real> peak_;
 };
-
-template <class Real>
-typename LinearLegs<Real>::LegEnd LinearLegs<Real>::end_of_leg(Phase phase, const Leg<Real>& leg,
-                                                               Real end) const {
-    using Ending = typename Crossing<Real>::Ending;
-    if (phase == Phase::unloaded) {
-        const auto out = first_crossing(leg, leave_, leg.start(), end);
-        const bool leaves = out.ending == Ending::crossing;
-        const auto back = first_crossing(leg, resume_, leg.start(), leaves ? out.moment.time : end);
-        if (back.ending != Ending::none) return {back.ending, Phase::contact, back.moment};
-        return {out.ending, Phase::flight, out.moment};
-    }
-    const auto found = first_crossing(leg, phase == Phase::flight ? touch_ : release_, leg.start(), end);
-    return {found.ending, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
-}
 
 template <class Real>
 void LinearLegs<Real>::record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end,
                               Recorder<Real>& recorder) const {
     const bool presses = phase == Phase::contact;
     if (presses) recorder.force(peak_.over(leg, leg.start(), end, recorder.force_to_beat()));
-    recorder.displacement_bound(displacement_bound(oscillator_, presses ? depth_ : touch_, leg, end.time));
+    recorder.displacement_bound(
+        displacement_bound(oscillator_, presses ? depth_ : phase_ends_.touch(), leg, end.time));
     if (recorder.records_contacts()) {
         record_contacts(oscillator_, leg, leg.start(), end, presses ? &peak_.signal() : nullptr, recorder);
     }
@@ -153,7 +127,7 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>
         const Leg<Real> leg(phase == Phase::contact ? contact_ : flight_, cycle.end,
                             oscillator_.frequency * journey.time);
         const Real left = end_time - journey.time;
-        const LegEnd event = end_of_leg(phase, leg, left);
+        const auto event = phase_ends_.first_on(phase, leg, left);
         if (event.ending == Ending::exhausted) break;
         if (event.ending == Ending::not_finite) return journey.stop(Cycle<Real>::Outcome::not_finite);
         const bool last = event.ending == Ending::none;

@@ -63,6 +63,22 @@ TEST(Certify, AStartThatStrikesProvesTheMotionAlone) {
     EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::orbit);
 }
 
+// On the stop's surface the hammer leaves it, or strikes, as its velocity against the cart says.
+TEST(Certify, AStartOnTheSurfaceIsToldByItsVelocity) {
+    job::CellNumbers numbers = testing::numbers_170mm(3, 3);
+    numbers.hammer.damping_ns_per_m.reset();
+    numbers.hammer.damping_ratio = 0.6;  // it does not come back to the stop
+    numbers.start.displacement_ratio = 3;
+    for (const job::Contact& stop : {numbers.contact, job::Contact(job::Restitution{0.5})}) {
+        numbers.contact = stop;
+        for (const auto& [velocity, verdict] :
+             {std::pair(-4.0, Certified::start), std::pair(3.5, Certified::orbit)}) {
+            numbers.start.velocity_ratio = velocity;  // that of the cart is 3
+            EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, verdict) << velocity;
+        }
+    }
+}
+
 // The steady oscillation has the amplitude eta^2/|1 - eta^2 + 2
 // i zeta eta|: a smaller gap rules out motion without impact.
 TEST(Certify, NoImpactIsNotProvedBelowTheAmplitude) {
