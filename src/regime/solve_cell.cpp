@@ -218,11 +218,13 @@ class CellSolver {
         spent_ += result.cycles;
         co_return result;
     }
-    // For its label alone. Gives up where rounding begins to decide.
+    // For its label and its peak force or, if requested, on a rigid stop, impact speed. Gives up where rounding
+    // begins to decide.
     Task<CellResult> again(scene::Oscillator<double> oscillator, scene::State<double> start,
                            EngineSettings engine) {
         const CellResult result =
-            co_await find_steady_state(broker_, oscillator, start, budget_, engine, {},
+            co_await find_steady_state(broker_, oscillator, start, budget_, engine,
+                                       {.detail = std::min(measures_.detail, trajectory::Detail::impacts)},
                                        {attractors_.known, attractors_.found}, rounding_decides);
         spent_ += result.cycles;
         co_return result;
