@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 #include "certificate/reach.hpp"
@@ -63,9 +62,7 @@ class Course {
         return state;
     }
 
-    // For double, which only searches, the linear phase's flow.
     [[nodiscard]] Matrix<Number> flow(const Number& length) const {
-        if constexpr (std::is_same_v<Number, double>) return phase_->flow(length);
         const Step& last = step_at(lowest(length), highest(length));
         Matrix<Number> whole;
         for (std::size_t i = 0; &steps_[i] != &last; ++i) {
