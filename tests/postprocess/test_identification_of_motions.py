@@ -4,17 +4,25 @@ unbiased, errors agree with the scatter of repetitions."""
 import re
 import tomllib
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
+from peterka.errors import PeterkaFileError
 from peterka.identification import solve
-from identification_coverage import coverage_faults, pulls_of
+from peterka.identification.fit import fit
+from peterka.identification.recording import Recording
+from identification_coverage import PER_CONTACT, coverage_faults, pulls_of
 from simulated_hammer import Hammer, driven, noisy, simulate, write
 
 RATE = 51200.0
 HAMMER = Hammer()
 SHORT_FLIGHTS = Hammer(0.7222458616500826, 13.320020294119335, 0.009964880878985987, 182217301.72854725, 5670.29333645436,
                        0.0001929715314472648, -0.0014449744726688458)
+THREE_IMPACTS = Hammer(0.16926034081522512, 11.759256159840993, 0.005869205274709485, 25705905.71629523, 1205.4143116421233,
+                       0.0009323459102572688, -0.002439782486164264)
+WEAK_IMPACTS = Hammer(0.36739001052499654, 14.28746119561065, 0.019745832588754723, 16569597.526953785, 1153.4626572020009,
+                      0.00034971267485527893, -0.005695290982421736)
 TRUE = {"stop's stiffness ki": HAMMER.stiffness, "stop's damping ci": HAMMER.damping, "natural frequency": HAMMER.hertz,
         "gap": 1e3 * HAMMER.gap}
 
@@ -25,8 +33,9 @@ def release():
 
 
 @cache
-def short_flights():
-    return simulate(SHORT_FLIGHTS, 4 / SHORT_FLIGHTS.hertz, 30 * np.sqrt(SHORT_FLIGHTS.stiffness / SHORT_FLIGHTS.mass) / np.pi)
+def four_swings(hammer):
+    """A release of a rig of tests/endurance.sh identification."""
+    return simulate(hammer, 4 / hammer.hertz, PER_CONTACT * np.sqrt(hammer.stiffness / hammer.mass) / np.pi)
 
 
 @cache
@@ -100,7 +109,24 @@ def test_an_offset_far_from_the_median_is_found():
 def test_five_impacts_with_little_noise(names, noise, seed):
     """Rig 1 of the same, which was refused: springs and gap had come with a restitution that was then not begun with, or the last
     impact was missed."""
-    pulls = pulls_of(SHORT_FLIGHTS, short_flights(), names, noise, seed)
+    pulls = pulls_of(SHORT_FLIGHTS, four_swings(SHORT_FLIGHTS), names, noise, seed)
+    assert not isinstance(pulls, str) and max(map(abs, pulls.values())) < 4.5, pulls
+
+
+@pytest.mark.parametrize("noise, seed", [(0.024699590807650065, 3001), (0.03936611586871756, 3005)])
+def test_two_rigs_that_meet_the_same_impacts_are_named(noise, seed):
+    """Rig 3 of the same, which was found at 0.79 of its frequency with small errors."""
+    time, columns = four_swings(THREE_IMPACTS)
+    recording = Recording(Path("simulated"), 0.0, time[1], noisy(columns, ("force",), noise, seed))
+    with pytest.raises(PeterkaFileError, match="doesn't tell two rigs apart: springs of") as refusal:
+        fit(recording, THREE_IMPACTS.mass)
+    named = [float(number) for number in re.findall(r"springs of ([.\d]+) Hz", str(refusal.value))]
+    assert sorted(np.round(np.divide(named, THREE_IMPACTS.hertz), 1)) == [0.8, 1.0], str(refusal.value)
+
+
+def test_impacts_too_weak_to_be_detected_tell_two_rigs_apart():
+    """Rig 15 of the same, which was found at 1.59 of its frequency: at the true one, two more impacts follow that explain the noise better."""
+    pulls = pulls_of(WEAK_IMPACTS, four_swings(WEAK_IMPACTS), ("force",), 0.0430637584935134, 15009)
     assert not isinstance(pulls, str) and max(map(abs, pulls.values())) < 4.5, pulls
 
 

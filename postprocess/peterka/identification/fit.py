@@ -14,7 +14,7 @@ from ..arrays import Reals
 from ..errors import PeterkaFileError
 from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
-from .flights import Start, from_events
+from .flights import Start, from_events, likely
 from .numbers_found import Identified, Number, identified_from
 from .one_mode import share_of_modes, share_words
 from .problem import Leg, Problem
@@ -22,12 +22,14 @@ from .recording import Recording
 from .samples import Samples
 from .solve import Solved, coarse, levels, solved, start
 from .starts import Begin, Impact, begin, from_swings, noise_levels, samples_of
+from .twins import likeliest
 
 FIRST_DAMPING_RATIO = 0.01
 WIDE = {"omega": (0.0, 2.0), "damping_ratio": (0.02, 0.3), "gap": (0.0, 3.0)}  # weakly informative priors
 UNKNOWN = 0.25  # relative standard error above which a number counts as unknown
 EXPLAINED = 1.5  # sum of squares per residual, in standard deviations: above it, another minimum is looked for
 MOST_LATE = 2  # impacts
+MOST_AGAIN = 2  # initial values, the best ones
 LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffices
 
 
@@ -70,33 +72,45 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     Raises PeterkaFileError if the recording does not determine the stop."""
     given, guess = dict(given or {}), look(recording)
     begun, samples = begin(recording, guess, mass), samples_of(recording, guess)
-    starts = from_events(begun, mass, given)[:1]
+    starts = likely(from_events(begun, mass, given))
     starts += [Start(omega, begun.impacts[0].speed / omega, {"gap": gap * omega / begun.impacts[0].speed}, np.inf)
                for omega, gap in from_swings(samples, guess, begun, given.get("omega"), given.get("gap"))]
     if not starts:
         return fit_alone(recording, guess, begun, mass)
-    found = []
+    found = _from_each(recording, guess, begun, samples, mass, given, starts)
+    if not found:
+        raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
+    best, other = likeliest(found)
+    share = share_of_modes(recording, guess, begun)
+    try:
+        told = replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
+    except PeterkaFileError as refusal:
+        if share is None or not share.value - 2 * (share.error or 0) > 0:
+            raise
+        raise PeterkaFileError(f"{refusal}; {share_words(share)}") from None
+    if other is not None:
+        raise PeterkaFileError(f"{recording.path} doesn't tell two rigs apart: {other}")
+    return told
+
+
+def _from_each(recording, guess, begun, samples, mass, given, starts):
+    """[Solved] from each Start from which it converges."""
+    tried = []
     for one in starts:
         problem = release_problem(recording, guess, begun, samples, mass, given, one)
         value = _begun(problem, begun, one, given)
         try:
             if "damping_ratio" not in one.value:  # from a swing, which is less accurate than one sample
                 value = solved(coarse(problem), value).value
-            found.append(solved(problem, value))
-            if found[-1].cost > EXPLAINED * found[-1].rows:
-                found += _one_after_the_other(problem, value)
+            tried.append((solved(problem, value), value))
         except (ValueError, np.linalg.LinAlgError):
             pass  # no convergence from here
-    if not found:
-        raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
-    best = min(found, key=lambda one: one.cost)
-    share = share_of_modes(recording, guess, begun)
-    try:
-        return replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
-    except PeterkaFileError as refusal:
-        if share is None or not share.value - 2 * (share.error or 0) > 0:
-            raise
-        raise PeterkaFileError(f"{refusal}; {share_words(share)}") from None
+    tried.sort(key=lambda pair: pair[0].cost / pair[0].rows)
+    found = [one for one, _ in tried]
+    if found and found[0].cost > EXPLAINED * found[0].rows:
+        for one, value in tried[:MOST_AGAIN]:
+            found += _one_after_the_other(one.problem, value)
+    return found
 
 
 def _one_after_the_other(problem, value):
@@ -104,9 +118,12 @@ def _one_after_the_other(problem, value):
     leg, found = problem.legs[0], []
     for first in range(leg.impacts - 1, max(leg.impacts - 1 - MOST_LATE, 1), -1):
         then = value
-        for count in range(first, leg.impacts + 1):
-            reached = solved(replace(problem, legs=[replace(leg, impacts=count)]), then)
-            then = reached.value
+        try:
+            for count in range(first, leg.impacts + 1):
+                reached = solved(replace(problem, legs=[replace(leg, impacts=count)]), then)
+                then = reached.value
+        except (ValueError, np.linalg.LinAlgError):
+            break  # no convergence from here
         found.append(reached)
         if reached.cost < EXPLAINED * reached.rows:
             break

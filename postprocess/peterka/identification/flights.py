@@ -7,7 +7,7 @@ It begins where the stop's force falls to 0, at u0 = gap + ci w/ki, and ends at 
 any springs; the durations and speeds of further flights, each from the end of the previous one, determine the springs.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,6 +23,7 @@ STARTS = 12  # initial values for least squares
 FAR = 3.0  # bound on their steps: this many times APART, and standard deviations
 APART = 0.02  # relative difference of distinct omegas
 LEAST_TIME, LEAST_SPEED = 0.02, 0.02  # lower bounds on errors of events: in contacts, and relative
+TIMES, UNLIKELY = 10.0, 1e-3  # of likely starts: cost over the best one's, or likelihood over its, whichever keeps more
 LOST = 30.0  # standard deviations, beyond which larger deviations cost no more
 
 
@@ -65,6 +66,12 @@ def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[S
         if all(abs(np.log(one.omega / other.omega)) > 0.5 * APART for other in kept):
             kept.append(one)
     return kept
+
+
+def likely(found: Sequence[Start]) -> list[Start]:
+    """Those of Starts, the best first, that may be the recording's: two rigs may meet the same impacts, and the best here isn't always
+    the best in the samples."""
+    return [one for one in found if one.cost <= max(TIMES * found[0].cost, found[0].cost - np.log(UNLIKELY))]
 
 
 def _nearest(off, speed, omega, ratio, given):
