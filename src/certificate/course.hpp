@@ -88,8 +88,8 @@ class Course {
     static double highest(const Interval& x) { return x.hi; }
 
     // With longer steps the series would converge too slowly. Where the cubic term is a good part of the
-    // springs' force, remainder and ball are wide and need shorter ones: of orbits of random rigs with a slope
-    // up to that of the linear springs, 8 leaves half as many without a proof as 0, at the same price.
+    // springs' force, remainder and ball are wide and need shorter ones: of 7718 orbits of 25 random rigs with
+    // strong cubic springs, 6.9 % have no proof without the last factor, and 2.5 % with it.
     static double step_of(const Phase<Number>& phase, const Vector<Number>& start) {
         const double c = size_of(phase.damping());
         const double k = size_of(phase.stiffness());
