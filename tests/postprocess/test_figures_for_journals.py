@@ -9,6 +9,8 @@ from colour_distance import lightness
 from curves_samples import write_curves, write_distances
 from matplotlib.colors import to_hex
 from matplotlib.image import imread
+from matplotlib.text import Text
+from peterka.cli.picture_options import zoomed
 from peterka.plotting import figures, fills, style
 from peterka.plotting.classes import SECOND_COLOURS
 from peterka.plotting.figures import figure_of
@@ -148,11 +150,32 @@ def test_a_zoom_shows_and_counts_what_is_inside(tmp_path, draw):
     assert in_hertz.code == 0 and "75.0 %" in (tmp_path / "out" / "rig_map.svg").read_text()
 
 
+@pytest.mark.parametrize("zoom, share, border", [
+    (None, "(share of the map)", ", on the map's border"),
+    ((1.0, 2.8, 0.0, 3.0), "(share of the part shown)", ", on the border"),
+])
+def test_a_zoom_says_of_what_its_shares_and_its_border_are(tmp_path, zoom, share, border):
+    """Its largest value is marked within it, though it cuts the middle of that cell off."""
+    job = "[axes]\n" + "".join(f"{name}_ratio = {{from = 0, to = 1, points = 4}}\n" for name in ("frequency", "gap"))
+    with open_file(write_map(tmp_path / "a.h5", job=job)) as whole, style.using(units="si"):
+        file = zoomed(whole, zoom, in_si=False)
+        pictures = pictures_of(file)
+        assert any(share in text.get_text() for text in figure_of(pictures["map"](file)).findobj(Text))
+        ax = pictures["force_all"](file)
+        note, = ax.texts
+        assert note.get_text().endswith(border)
+        (low, high), x = ax.get_xlim(), note.xy[0]
+        assert low <= x <= high
+
+
 @pytest.mark.parametrize("arguments, words", [
     (["--only", "mop"], "gives no picture mop; it gives map, force_1_1, force_all"),
     (["--zoom", "1,1.1"], "has 1 point of frequency_ratio from 1 to 1.1; --zoom has to leave 2"),
     (["--zoom", "0,3", "--units", "si"], "has 1 point of frequency from 0 to 3 Hz; --zoom has to leave 2"),
     (["--zoom", "0,20,0,0.1", "--units", "si"], "has 1 point of gap from 0 to 0.1 mm; --zoom has to leave 2"),
+    (["--zoom", "4,14"], "from 4 to 14; --zoom has to leave 2; it takes Hz with --units si"),
+    (["--zoom", "1,4,1,2", "--units", "si"], "from 1 to 4 Hz; --zoom has to leave 2; without --units si it takes ratios"),
+    (["--only", "audit", "--zoom", "1,3"], "gives no picture audit with --zoom; it gives map"),
     (["--zoom", "3,1"], "wants the smaller number first"),
     (["--zoom", "1,2,3"], "is not 2 or 4 numbers"),
     (["--limits", "1"], "is not 2 numbers"),

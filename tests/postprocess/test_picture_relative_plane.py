@@ -4,6 +4,7 @@ import h5py
 import numpy as np
 import peterka
 import pytest
+from peterka.plotting import style
 from peterka.plotting.figures import figure_of
 from peterka.traces import motion, relative_plane, spectrum, trace_look
 from peterka.traces.trace_file import TraceFile
@@ -81,3 +82,14 @@ def test_an_orbit_of_q_cycles_has_q_points():
     assert (int(data["cell/impacts"]), int(data["cell/period"])) == (1, 2)
     x, y = peterka.draw(data, "poincare").lines[0].get_data()
     assert len(x) == 5 and len(np.unique(np.round(x, 6))) == 2 and len(np.unique(np.round(y, 6))) == 2
+
+
+@pytest.mark.parametrize("units", ["both", "si", "ratio"])
+def test_the_axes_of_points_do_not_resolve_rounding(tmp_path, units):
+    """The points of an orbit of one cycle are one: without a least span the velocity's axis went from its last digit to its last."""
+    with TraceFile(write_trace(tmp_path / "a.h5", cycles=3, gap_ratio=0.5)) as file, style.using(units=units):
+        velocity = file.motion["relative_velocity"]
+        points = relative_plane.strobe(file)
+        velocity[points] = 0.067 + 1e-16 * np.arange(len(points))
+        low, high = relative_plane.draw_points(file).get_ylim()
+    assert low < 0.067 < high and high - low >= 0.05 * np.ptp(velocity)

@@ -137,7 +137,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves)
-        for name, draw in chosen(file, pictures, arguments.only).items():
+        for name, draw in chosen(file, pictures, arguments.only, bool(arguments.zoom)).items():
             drawn = draw(file)
             if drawn is None:
                 tell(f"{path}: no value to draw, {name} is left out")
@@ -148,11 +148,11 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
             gc.collect()
 
 
-def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]) -> dict[str, Callable]:
-    """The pictures of these names; all of them where none is named."""
+def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str], is_part: bool = False) -> dict[str, Callable]:
+    """The pictures of these names; all of them where none is named. A part of a file, as of --zoom, may give fewer."""
     unknown = [name for name in names if name not in pictures]
     if unknown:
-        raise file.refusal(f"gives no picture {', '.join(unknown)}; it gives {', '.join(pictures)}")
+        raise file.refusal(f"gives no picture {', '.join(unknown)}{' with --zoom' * is_part}; it gives {', '.join(pictures)}")
     return {name: draw for name, draw in pictures.items() if name in names or not names}
 
 

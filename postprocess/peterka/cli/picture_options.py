@@ -105,13 +105,24 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
         left = data.sizes[axis.stored]
         if left < 2:
             raise file.refusal(f"has {left} point{'s' * (left != 1)} of {unit.what if unit else axis.name} from {low:g} to {high:g}"
-                               f"{f' {unit.unit}' if unit else ''}; --zoom has to leave 2")
+                               f"{f' {unit.unit}' if unit else ''}; --zoom has to leave 2{_other_unit(file, axis, low, high, in_si)}")
     part = open_file(data)
     if isinstance(part, PeterkaFile):
         part.rows, part.columns = (_cut(axis, ends.get(axis.name)) for axis in (part.rows, part.columns))
     if isinstance(part, CurvesFile):
         part.cut_to_window()
     return part
+
+
+def _other_unit(file, axis, low, high, in_si):
+    """What says that these numbers fit the other unit of an axis; empty if they don't."""
+    unit = measured(file, axis.name)
+    if unit is None or axis.name in IN_MILLIMETRES:
+        return ""
+    part = _shown(file, axis, low, high) if in_si else _shown(file, axis, low / unit.factor, high / unit.factor)
+    if part.stop - part.start < 2:
+        return ""
+    return "; without --units si it takes ratios" if in_si else f"; it takes {unit.unit} with --units si"
 
 
 def _shown(file, axis, low, high):

@@ -10,7 +10,13 @@ LISTS = ("sweep", "operating_point")  # tables that give coordinates beside [axe
 def axes_of_job(text: object) -> list[str]:
     """["contact_stiffness_n_per_m", "gap_ratio"] from a job's text; [] if it names none."""
     tables = _job(text).get("axes", {})
-    return list(_names(tables, "")) if isinstance(tables, dict) else []
+    return [name for name, _ in _tables(tables, "")] if isinstance(tables, dict) else []
+
+
+def points_of_job(text: object) -> dict[str, object]:
+    """How many points a job's axes have, by their names."""
+    tables = _job(text).get("axes", {})
+    return {name: table.get("points") for name, table in _tables(tables, "")} if isinstance(tables, dict) else {}
 
 
 def given_in_si(text: object) -> frozenset[str]:
@@ -29,11 +35,11 @@ def _job(text):
         return {}
 
 
-def _names(tables, before):
+def _tables(tables, before):
     for key, table in tables.items():
         if not isinstance(table, dict):
             continue
         if "from" in table:
-            yield before + key
+            yield before + key, table
         elif not before:
-            yield from _names(table, f"{key}_")
+            yield from _tables(table, f"{key}_")

@@ -44,7 +44,7 @@ def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     reduced, counts = class_picture(file, ["regime", "attractors", "attractor_regime"], label, len(NUMBERS))
     handles = [axes.legend_patch(f"{NUMBERS[n]} ({axes.percent(counts[n] / counts.sum())})", NUMBER_COLOURS[n], n == 0)
                for n in np.flatnonzero(counts)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "attractors of a cell (share of the map)")], ax=ax)
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, f"attractors of a cell (share of the {file.whole})")], ax=ax)
     axes.show_classes(ax, reduced, NUMBER_COLOURS, 0)
     return _finished(figure, ax, file)
 
@@ -60,7 +60,7 @@ def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
         text = f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})"
         entry = axes.legend_patch(text, CLASSES[n].colour, n == INDEX["not computed yet"])
         (orbits if CLASSES[n].orbit or n == INDEX["other p/q"] else others).append(entry)
-    legends = [(orbits, 3, "where most starts end (share of the map)"), (others, 2, None)]
+    legends = [(orbits, 3, f"where most starts end (share of the {file.whole})"), (others, 2, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)

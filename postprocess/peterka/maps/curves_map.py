@@ -43,18 +43,18 @@ def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
 @picture(CurvesFile)
 def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The curves over the coarse map."""
-    return _draw(file, file.lines, ax, over="coarse map") if file.curves else None
+    return _draw(file, file.lines, ax, over="coarse ") if file.curves else None
 
 
 @picture(PeterkaFile)
 def draw_over_map_of(file: PeterkaFile, ax: Axes | None = None, *, curves: Lines) -> Axes | None:
     """The curves of another file over a map; None where none lies within it."""
     lines = Lines(*within(curves, file.columns, file.rows))
-    return _draw(file, lines, ax, over="map") if lines.curves else None
+    return _draw(file, lines, ax, over="") if lines.curves else None
 
 
 def _draw(file, lines, ax, over=None):
-    """`over`: what the cells are called that are drawn below the curves; None for curves alone."""
+    """`over`: what the map is beneath the curves, before its name; None for curves alone."""
     over_map = over is not None
     reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
     kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in lines.curves)]
@@ -65,7 +65,7 @@ def _draw(file, lines, ax, over=None):
     legends = [(curves, 1, None), (letters, 2, "special points (several letters: several together)")]
     if over_map:
         orbits, regimes = legend_entries(counts, file.observed_chaos)
-        legends = [(orbits, 3, f"$z = p/q$ (share of the {over})"), (regimes, 2, None), *legends]
+        legends = [(orbits, 3, f"$z = p/q$ (share of the {over}{file.whole})"), (regimes, 2, None), *legends]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     if over_map:
         axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])

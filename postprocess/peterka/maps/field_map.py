@@ -85,7 +85,7 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     if measured.points:
         marks.draw_over_map(ax, file, measured.points, lambda force: mesh.to_rgba(force * scale.factor))
     if file.kind == "map":  # in a basin all starts of an orbit share the largest value
-        _mark(ax, peak, scale.text(peak.value))
+        _mark(ax, file, peak, scale.text(peak.value))
     marks.name_over_map(ax, file, measured.points)
     return ax
 
@@ -168,11 +168,13 @@ def _draw_bar(figure, bar_ax, mesh, scale, beyond):
         second.set_xlabel(label, fontsize=8)
 
 
-def _mark(ax, peak, text):
-    """Draws a cross at the largest value, with its text beside it."""
+def _mark(ax, file, peak, text):
+    """Draws a cross at the largest value, with its text beside it; of a cell cut at the border of the picture, on this border."""
+    x, y = (np.clip(value, *axis.edges[[0, -1]])
+            for value, axis in ((peak.column_value, file.columns), (peak.row_value, file.rows)))
     ax.plot(
-        peak.column_value, peak.row_value, marker="x", markersize=5, markeredgewidth=1.2, color="black", clip_on=False,
+        x, y, marker="x", markersize=5, markeredgewidth=1.2, color="black", clip_on=False,
         path_effects=axes.outline(2.4), zorder=6, gid=SEEN,
     )
-    where = ", on the map's border" if peak.on_border else ""
-    write_beside(ax, peak.column_value, peak.row_value, f"max {text}{where}")
+    border = ", on the map's border" if file.whole == "map" else ", on the border"
+    write_beside(ax, x, y, f"max {text}{border if peak.on_border else ''}")

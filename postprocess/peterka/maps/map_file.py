@@ -22,7 +22,7 @@ from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL, shown
 from ..files.coordinates import Coordinate, coordinate
 from ..files.harmless import harmless
-from ..files.job_axes import axes_of_job
+from ..files.job_axes import axes_of_job, points_of_job
 from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, check_labels
@@ -90,6 +90,13 @@ class PeterkaFile(OpenedFile):
                     for _, band in self.bands(["regime", "observed_cycles"])]
         cycles = np.concatenate([cells[cells > 0] for cells in followed])  # filled cells were not observed
         return (int(cycles.min()), int(cycles.max())) if cycles.size else None
+
+    @cached_property
+    def whole(self) -> str:
+        """What its cells are, in words: the map, or a part of it."""
+        points = points_of_job(self.data.attribute("job"))
+        is_part = any(points.get(axis.stored, len(axis.values)) != len(axis.values) for axis in (self.rows, self.columns))
+        return "part shown" if is_part else "map"
 
     def bands(self, names: Iterable[str], multiple: int = 1) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
         """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names; those of SLOTS

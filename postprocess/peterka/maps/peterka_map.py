@@ -42,7 +42,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     edge = _edge_of_no_impact(file)
     grazing = [Line2D([], [], label="free swing grazes the stop", **EDGE_LOOK)] if edge else []
     others = regimes + chatter_entry + grazing + marks.handles(measured.points)
-    legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
+    legends = [(orbits, 3, f"$z = p/q$ (share of the {file.whole})"), (others, 2, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)

@@ -17,6 +17,7 @@ from .trace_file import TraceFile
 WIDTH, HEIGHT = 3.7, 3.3  # in, without the legend
 MANY = 40  # distinct points from which they are drawn smaller
 ENOUGH = 200  # points needed to resolve a chaotic set
+LEAST_SPAN = 0.05  # of the motion, along each axis: the points of an orbit differ by rounding alone
 STROBE = {"marker": "o", "color": "black", "linestyle": "none", "markeredgewidth": 0}
 
 
@@ -42,9 +43,10 @@ def draw_points(file: TraceFile, ax: Axes | None = None) -> Axes | None:
     places = np.column_stack([file.motion[name][points] for name in ("relative_displacement_ratio", "relative_velocity")])
     size = 4 if len(np.unique(places.round(6), axis=0)) <= MANY else 1.8
     figure, (ax,) = axes.diagram(WIDTH, HEIGHT, [_handle(points, size), *_stop_handle(file)], columns=1, ax=ax)
-    displacement, _ = trace_look.displacement(file, file.motion["relative_displacement_ratio"][points])
-    ax.plot(displacement, file.motion["relative_velocity"][points], markersize=size, **STROBE)
+    way = np.column_stack([trace_look.displacement(file, file.motion["relative_displacement_ratio"])[0], file.motion["relative_velocity"]])
+    ax.plot(*way[points].T, markersize=size, **STROBE)
     ax.margins(0.1)
+    ax.update_datalim(_least_span(way, points))
     few = file.cell and file.cell["regime"] == CHAOTIC and len(points) < ENOUGH
     return _finished(figure, ax, file, f"{len(points)} points: [trace] cycles = 500 shows what they lie on" if few else "")
 
@@ -55,6 +57,12 @@ def strobe(file: TraceFile) -> Integers:
         return np.array([], dtype=int)
     cycle = file.motion["cycle"]
     return np.flatnonzero(np.abs(cycle - np.rint(cycle)) < 1e-6)
+
+
+def _least_span(way, points):
+    """Two corners about the middle of these points, at which the axes end at the nearest."""
+    middle, half = (way[points].min(axis=0) + way[points].max(axis=0)) / 2, LEAST_SPAN / 2 * np.ptp(way, axis=0)
+    return middle - half, middle + half
 
 
 def _finished(figure, ax, file, extra=""):
