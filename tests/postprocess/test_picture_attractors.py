@@ -5,10 +5,12 @@ import pytest
 from attractor_samples import write_attractors
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
+from matplotlib.text import Text
 from peterka.errors import PeterkaFileError
 from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
+from peterka.plotting.figures import figure_of
 from picture_samples import Drawn, colour_named, orbit, write_map
 from picture_texts import drawn_texts, faults_of_layout
 from sealing import SealedFile
@@ -48,6 +50,14 @@ def test_shares_are_those_of_the_cells(tmp_path, name, shares):
         colours, _ = seen(file, pictures_of(file)[name](file), tmp_path)
     assert colours[0] == [shade(share) for share in shares[0]]
     assert colours[1][:2] == [shade(share) for share in shares[1]]
+
+
+def test_a_share_says_where_starts_end(tmp_path):
+    with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
+        words = [[text.get_text() for text in figure_of(pictures_of(file)[f"share_{name}"](file)).findobj(Text)]
+                 for name in ("1_1", "chaotic", "no_impact")]
+    for found, told in zip(words, ("in $z = 1/1$", "in chaos", "without impacts")):
+        assert f"share of starts that end {told}" in found
 
 
 def test_the_kick_is_that_of_the_likeliest_orbit(tmp_path):

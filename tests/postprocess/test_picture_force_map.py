@@ -55,6 +55,12 @@ def test_the_largest_force_is_marked_with_its_value(tmp_path):
     assert [float(value[0]) for value in every.lines[0].get_data()] == [4.0, 0.0]
 
 
+def test_the_largest_force_leads_with_the_unit_of_the_job(tmp_path):
+    with PeterkaFile(write_map(tmp_path / "a.h5", forces=np.full((4, 4), 12.5), job="[axes.frequency_hz]\nfrom = 4.5\n")) as file:
+        told = [figure_of(force_map.draw_all_impacts(file, units=units)).axes[0].texts[0].get_text() for units in ("both", "si", "ratio")]
+    assert [words.partition(",")[0] for words in told] == ["max 36.5 N (12.5)", "max 36.5 N", "max 12.5"]
+
+
 def test_the_scale_in_newtons_needs_a_mass(tmp_path):
     def bar_of(path):
         with PeterkaFile(path) as file:

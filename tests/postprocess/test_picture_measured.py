@@ -67,7 +67,9 @@ def test_a_gap_that_is_nearly_one_of_the_sweep_is_told_with_its_distance(tmp_pat
     assert points(tmp_path, "frequency_ratio,gap_ratio\n2,1.5\n").left_out == []
     found = points(tmp_path, "frequency_ratio,gap_ratio\n2,1.51\n2,1.485\n")
     assert [point.gap for point in found.points] == [1.5, 1.5]
-    assert found.left_out == [f"{tmp_path / 'points.csv'}: 2 points stand at gap 1.335 mm, up to gap 0.01335 mm from their own gap"]
+    assert found.left_out == [f"{tmp_path / 'points.csv'}: 2 points are drawn at gap 1.335 mm, up to 0.01335 mm from the measured gap"]
+    found = points(tmp_path, "frequency_ratio,gap_ratio\n2,1.51\n")
+    assert found.left_out == [f"{tmp_path / 'points.csv'}: 1 point is drawn at gap 1.335 mm, 0.0089 mm from the measured gap"]
 
 
 def test_the_papers_numbers_lie_over_its_rig(tmp_path, draw):

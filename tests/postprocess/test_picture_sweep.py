@@ -10,6 +10,7 @@ from peterka.sweeps import bifurcation, every_attractor, response
 from peterka.measurements import marks
 from peterka.measurements.points import Measurements, Point
 from peterka.sweeps.sweep_file import SweepFile
+from peterka.sweeps.borders import Border
 from peterka.sweeps.sweep_panels import LOOKS
 from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
@@ -101,6 +102,26 @@ def test_jumps_and_resonance_carry_their_numbers(tmp_path):
     assert sorted(texts(second)[1:]) == [
         "1.562 (7.031 Hz)", "1.812 (8.156 Hz)", f"■ 50 = {50 * WEIGHT:.3g} N at 1.5 (6.75 Hz)",
         f"■ 60 = {60 * WEIGHT:.3g} N at 1.75 (7.875 Hz)"]
+
+
+@pytest.mark.parametrize("units, job, told", [
+    ("both", "", ["gap/A₀ = 0 (0 mm)", f"★ 40 = {40 * WEIGHT:.3g} N at 2 (9 Hz)"]),
+    ("both", "[axes.frequency_hz]\nfrom = 4.5\n", ["gap = 0 mm (gap/A₀ = 0)", f"★ {40 * WEIGHT:.3g} N = 40 at 9 Hz (2)"]),
+    ("si", "", ["gap = 0 mm", f"★ {40 * WEIGHT:.3g} N at 9 Hz"]),
+    ("ratio", "[axes.frequency_hz]\nfrom = 4.5\n", ["gap/A₀ = 0", "★ 40 at 2"])])
+def test_words_lead_with_the_unit_of_the_job(tmp_path, units, job, told):
+    with SweepFile(write_sweep(tmp_path / "a.h5", job=job)) as file:
+        assert texts(panels_of(figure_of(response.draw(file, units=units)))[0]) == told
+
+
+def test_a_jump_looks_like_no_border_in_the_legend(tmp_path):
+    """Grazings are dotted, too."""
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = figure_of(response.draw(file, borders=[Border(2.0, 1.5, "grazing", 1, 1)]))
+    legend, = (ax.get_legend() for ax in figure.axes if ax.get_legend())
+    handles = legend.legendHandles if hasattr(legend, "legendHandles") else legend.legend_handles  # before matplotlib 3.7, and since
+    looks = {text.get_text(): handle for text, handle in zip(legend.get_texts(), handles)}
+    assert (looks["jump"].get_marker(), looks["grazing"].get_marker()) == (">", "None")
 
 
 def test_only_a_maximum_inside_the_band_is_a_resonance(tmp_path):

@@ -48,7 +48,16 @@ def test_borders_are_listed_in_hertz_to_nine_digits_and_millimetres(files):
     with SweepFile(files[0]) as sweep:
         lines = borders.table(sweep, borders.read_borders(files[1], sweep))
     assert [line.split(maxsplit=3) for line in lines[1:]] == [
-        ["6.165", "1.335", "1/1", "period doubling"], ["6.885", "1.335", "0/1", "grazing"], ["7.92555556", "1.335", "1/1", "fold"]]
+        ["6.16500000", "1.335", "1/1", "period doubling"], ["6.88500000", "1.335", "0/1", "grazing"], ["7.92555556", "1.335", "1/1", "fold"]]
+
+
+def test_a_curve_that_meets_a_gap_twice_up_to_rounding_is_one_border(files, tmp_path):
+    """As at gap 0 where a curve begins there."""
+    twice = [*CROSSINGS, *((number, place * (1 + 1e-13), gap) for number, place, gap in CROSSINGS)]
+    other = write_curves(tmp_path / "other.h5", LINES, [], twice, job=JOB)
+    with SweepFile(files[0]) as sweep:
+        once, both = (borders.read_borders(path, sweep) for path in (files[1], other))
+    assert len(both) == len(once) == 3
 
 
 def test_borders_are_listed_in_millimetres_where_pictures_are_in_si_alone(files):
@@ -65,7 +74,7 @@ def test_draw_tells_and_draws_them(files, tmp_path, run_program):
 
 
 @pytest.mark.parametrize("lines, crossings, job, words", [
-    (LINES, CROSSINGS, JOB.replace("0.5", "0.6"), "another rig"), (LINES, [], JOB, r"gap_ratio = \[0, 1.5\]"),
+    (LINES, CROSSINGS, JOB.replace("0.5", "0.6"), "another rig than .*sweep.h5: contact.coefficient differs"), (LINES, [], JOB, r"gap_ratio = \[0, 1.5\]"),
     (LINES, CROSSINGS, "nonsense", "no job")])
 def test_curves_that_tell_nothing_of_the_sweep_are_refused(files, tmp_path, lines, crossings, job, words):
     other = write_curves(tmp_path / "other.h5", lines, [], crossings, job=job)

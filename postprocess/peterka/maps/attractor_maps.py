@@ -29,6 +29,7 @@ LABELS = ["regime", "attractor_regime", "attractor_impacts", "attractor_period",
 SHARES = {f"share_{'_'.join(map(str, entry.orbit)) if entry.orbit else entry.label.replace(' ', '_')}": entry
           for entry in CLASSES if entry.orbit or entry.label in ("no impact", "chaotic")}
 _COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # requested once for each of SHARES
+END_WORDS = {"no impact": "without impacts", "chaotic": "in chaos"}
 LACKING_COLOUR = "#F7C6D0"
 NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # outcome of a kick in a cell
 KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
@@ -145,8 +146,8 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
         return np.where(regime == NOT_COMPUTED, np.nan, reached)
 
     reduced = _reduced(file, LABELS, share, None)
-    text = f"$z = {entry.label}$" if entry.orbit else entry.label
-    return _draw_scale(file, ax, reduced, f"share of starts that end in {text}", 1, None)
+    text = f"in $z = {entry.label}$" if entry.orbit else END_WORDS[entry.label]
+    return _draw_scale(file, ax, reduced, f"share of starts that end {text}", 1, None)
 
 
 def commonest(file: PeterkaFile) -> list[str]:

@@ -215,3 +215,10 @@ def rig_of(file: OpenedFile) -> dict[str, object]:
         return {f"{name}.{key}": value for name in RIG for key, value in job[name].items() if f"{name}_{key}" not in axes}
     except (tomllib.TOMLDecodeError, KeyError, AttributeError, RecursionError) as error:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error
+
+
+def differing(first: OpenedFile, second: OpenedFile) -> str:
+    """Where the rigs of two files differ: ": hammer.mass_kg differs"; empty if nowhere."""
+    one, other = rig_of(first), rig_of(second)
+    keys = sorted(key for key in one.keys() | other.keys() if one.get(key) != other.get(key))
+    return f": {', '.join(keys)} differ{'s' * (len(keys) == 1)}" if keys else ""

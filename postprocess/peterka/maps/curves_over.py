@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from ..plotting.coordinates import called
-from .curves_file import CurvesFile, Lines, Special, rig_of
+from .curves_file import CurvesFile, Lines, Special, differing, rig_of
 from .map_file import PeterkaFile
 
 SAME_PLACE = 1e-9  # relative: a frequency or gap that all cells share, in either unit
@@ -18,13 +18,13 @@ SAME_PLACE = 1e-9  # relative: a frequency or gap that all cells share, in eithe
 def read_lines(path: Path, file: OpenedFile) -> Lines:
     """The curves of a file, on the axes of a map. Raises PeterkaFileError where they are of another rig, place or plane."""
     if not isinstance(file, PeterkaFile) or file.kind != "map":
-        raise PeterkaFileError(f"{file.path} is a {file.kind}; curves are laid over a map, or over a sweep of frequencies")
+        raise PeterkaFileError(f"{file.path} is of kind {file.kind}; curves are laid over a map, or over a sweep of frequencies")
     with CurvesFile(path) as curves:
         names = curves.columns.name, curves.rows.name
         if {*names} != {file.columns.name, file.rows.name}:
             raise PeterkaFileError(f"{path} has curves over {_axes(curves)}, and {file.path} is a map over {_axes(file)}")
         if rig_of(curves) != rig_of(file) or not _is_same_place(curves, file):
-            raise PeterkaFileError(f"{path} has the curves of another rig or operating point than {file.path}")
+            raise PeterkaFileError(f"{path} has the curves of another rig or operating point than {file.path}{differing(curves, file)}")
         lines = curves.lines
     if names[0] == file.columns.name:
         return lines

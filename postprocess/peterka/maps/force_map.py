@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 
 from ..files.regimes import PERIODIC
 from ..plotting import style, units
+from ..plotting.coordinates import either
 from ..plotting.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import field_map
@@ -32,9 +33,7 @@ def _draw(file, ax, carries, what, apart, measured):
     newtons = file.newtons if style.current().units != "ratio" else None
 
     def text(force):
-        if newtons and style.current().units == "si":
-            return units.amount(force * newtons, "N")
-        return units.number(force) + (f" ({units.amount(force * newtons, 'N')})" if newtons else "")
+        return either(file, units.amount(force * newtons, "N") if newtons else "", units.number(force))
 
     def scale(largest):
         label = f"peak force $F/(m\\,g)$, {what}"

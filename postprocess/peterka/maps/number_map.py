@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from ..files.coordinates import unit_of
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import style, units
+from ..plotting.coordinates import either
 from ..plotting.picture import picture
 from . import field_map
 from .field_map import WITHOUT_IMPACTS, Field, Scale
@@ -66,22 +67,22 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
 def _scale(file, number, largest):
     in_si = style.current().units == "si"
     if number.in_si:
-        return _scale_of_coordinate(file, number, in_si)
+        return _scale_of_coordinate(file, number)
     if not number.is_force:
         return Scale(number.label, 1, units.number)
     label = f"{number.label} largest force, $F/(m\\,g)$"
     if not file.newtons:
         return Scale(label, 1, units.number)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
-    return Scale(label, 1, (lambda force: units.amount(force * file.newtons, "N")) if in_si else units.number,
+    return Scale(label, 1, lambda force: either(file, units.amount(force * file.newtons, "N"), units.number(force)),
                  (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", file.newtons * factor))
 
 
-def _scale_of_coordinate(file, number, in_si):
+def _scale_of_coordinate(file, number):
     name, words, unit, factor = number.in_si
     own = unit_of(file, name)
     if own is None:
         return Scale(number.label, 1, units.number)
     factor *= own
-    text = (lambda value: f"{units.number(factor * value)} {unit}") if in_si else units.number
-    return Scale(number.label, 1, text, (f"{words} ({unit})", factor))
+    return Scale(number.label, 1, lambda value: either(file, f"{units.number(factor * value)} {unit}", units.number(value)),
+                 (f"{words} ({unit})", factor))

@@ -100,8 +100,8 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     left_out = [_left_out(path, other_rigs, "of rigs with another natural frequency")] * (other_rigs > 0)
     where = "map" if file.kind == "map" else "frequencies of the sweep"
     left_out += [_left_out(path, outside, f"outside the {where}")] * (outside > 0)
-    left_out += [f"{path}: {_points(len(distances), 'stands', 'stand')} at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
-                 for gap, distances in moved.items()]
+    left_out += [f"{path}: {_points(len(distances), 'is drawn', 'are drawn')} at {_gap_words(file, gap)}, "
+                 f"{'up to ' * (len(distances) > 1)}{_length(file, max(distances))} from the measured gap" for gap, distances in moved.items()]
     if other_gaps:
         left_out.append(_left_out(path, len(other_gaps), f"at {', '.join(dict.fromkeys(other_gaps))}") + "; the sweep has no such gap")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
@@ -202,8 +202,16 @@ def _gap(table, line, gap, file):
 
 
 def _gap_words(file, gap):
-    metres = 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
-    return f"gap {1000 * gap * metres:.4g} mm" if metres else f"gap/A0 {gap:.4g}"
+    return f"{'gap' if _metres(file) else 'gap/A0'} {_length(file, gap)}"
+
+
+def _length(file, gap):
+    metres = _metres(file)
+    return f"{1000 * gap * metres:.4g} mm" if metres else f"{gap:.4g}"
+
+
+def _metres(file):
+    return 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
 
 
 def _with_series(points):

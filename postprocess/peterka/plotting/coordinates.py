@@ -1,5 +1,7 @@
 """What axes are called: the words and units of everything over which a map or a sweep may run, and places on them in words."""
 
+from typing import Protocol
+
 from ..files.coordinates import TWINS, Measured, Named, Scales, leads_in_si, measured
 from . import style
 
@@ -65,6 +67,22 @@ def _in_words(file, axis, numbers):
     if axis.name not in TWINS or style.current().units != "both":
         return f"{unit.what} {told}"
     return f"{unit.what} {told} ({own})" if leads_in_si(axis.stored) else f"{own} ({told})"
+
+
+class OfJob(Protocol):
+    """A file with the coordinates that its job gives in SI units."""
+
+    @property
+    def given_in_si(self) -> frozenset[str]: ...
+
+
+def either(file: OfJob, in_si: str, ratio: str, joined: str = "{} ({})") -> str:
+    """A number in SI units, empty where the file doesn't tell, and as a ratio: both, that of the job's axes first, or the one of
+    the units that are asked for."""
+    units = style.current().units
+    if not in_si or units == "ratio":
+        return ratio
+    return in_si if units == "si" else joined.format(*((in_si, ratio) if file.given_in_si else (ratio, in_si)))
 
 
 def called(file: Scales, axis: Named) -> str:

@@ -5,7 +5,7 @@ branch of the sweep has next to them.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -16,10 +16,12 @@ from ..errors import PeterkaFileError
 from ..files.coordinates import coordinate
 from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
-from ..maps.curves_file import SAME_GAP, WORDS, CurvesFile, rig_of
+from ..maps.curves_file import SAME_GAP, WORDS, CurvesFile, differing, rig_of
 from ..maps.curves_map import COLOURS, LOOKS
 from ..plotting.coordinates import spoken
 from .sweep_file import SweepFile
+
+SAME_PLACE = 1e-10  # relative, of two frequencies: more than nine digits
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
         raise PeterkaFileError(f"{sweep.path} runs over {sweep.axis_name}; borders are drawn over a sweep of frequencies")
     with CurvesFile(path) as file:
         if rig_of(file) != rig_of(sweep):
-            raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}")
+            raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}{differing(file, sweep)}")
         crossings = file.crossings
     borders = [Border(each.frequency_ratio, gap, each.curve.kind, each.curve.impacts, each.curve.period)
                for gap in sweep.gaps if gap is not None
@@ -53,8 +55,8 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
         gap_of = coordinate(sweep, "gap_m" if sweep.data.has("gap_m") else sweep.gap_name)
         gaps = ", ".join(f"{gap * gap_of.unit:.10g}" for gap in sweep.gaps if gap is not None)
         raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] {gap_of.stored} = [{gaps}]")
-    return sorted((border for border in borders if _is_met(sweep, border)),
-                  key=lambda border: (border.gap, border.frequency_ratio))
+    met = sorted((border for border in borders if _is_met(sweep, border)), key=lambda border: (border.gap, border.frequency_ratio))
+    return [border for n, border in enumerate(met) if not any(_is_same(border, other) for other in met[:n])]
 
 
 def at_gap(borders: Sequence[Border], gap: float | None) -> list[Border]:
@@ -81,7 +83,7 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
     scales = [(spoken(sweep, name), words) for name, words in ((sweep.axis_name, "Omega/omega"), (sweep.gap_name, "gap/A0"))]
     rows = [(*(f"{unit.what} [{unit.unit}]" if unit else words for unit, words in scales), "z", "border")]
     across, up = (unit.factor if unit else 1.0 for unit, _ in scales)
-    rows += [(f"{border.frequency_ratio * across:.9g}", f"{border.gap * up:.6g}", f"{border.impacts}/{border.period}",
+    rows += [(f"{border.frequency_ratio * across:#.9g}", f"{border.gap * up:.6g}", f"{border.impacts}/{border.period}",
               WORDS[border.kind]) for border in borders]
     widths = [max(map(len, column)) for column in zip(*rows)]
     return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
@@ -89,6 +91,12 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
 
 def _look(kind):
     return {"linestyle": LOOKS[kind]["linestyle"], "linewidth": 0.7}
+
+
+def _is_same(border, other):
+    """Whether a curve meets the gap there twice up to rounding, as at gap 0 where it begins."""
+    own, others = (replace(each, frequency_ratio=0.0) for each in (border, other))
+    return own == others and abs(border.frequency_ratio - other.frequency_ratio) < SAME_PLACE * border.frequency_ratio
 
 
 def _is_met(sweep, border):

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..plotting import style, units
+from ..plotting.coordinates import either
 from ..plotting.picture import picture
 from ..maps.curves_file import UnstableBranch
 from ..measurements.points import NOTHING_MEASURED, Measurements
@@ -101,7 +102,7 @@ def _handles(file):
     if False in found:
         handles.append(Line2D([], [], label="largest of $z = 1/1$, cut off", color="white", **CUT_OFF))
     if any(branch.jumps() for branch in file.branches):
-        handles.append(Line2D([], [], label="jump", color="black", linewidth=0.7, linestyle=":"))
+        handles.append(Line2D([], [], label="jump", color="black", linewidth=0.7, linestyle=":", marker=">", markersize=3.5))
     return handles
 
 
@@ -149,7 +150,7 @@ def _mark_strongest(ax, file, gap):
         x, force = file.values[at], branch.force[at]
         ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **look)
         newtons = units.amount(force * file.newtons, "N") if file.newtons else ""
-        told = newtons if newtons and style.current().units == "si" else " = ".join(filter(None, [units.number(force), newtons]))
+        told = either(file, newtons, units.number(force), "{} = {}")
         text = f"{sign} {told} at {sweep_panels.place_text(file, x)}"
         _add(notes, file, (x, force, text, "black"))
     return notes

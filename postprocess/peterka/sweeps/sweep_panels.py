@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, classify, named
-from ..plotting.coordinates import IN_MILLIMETRES, label
+from ..plotting.coordinates import IN_MILLIMETRES, either, label
 from ..plotting.fills import fill
 from ..plotting.frames import text_width
 from ..measurements import marks
@@ -133,14 +133,17 @@ def _at_share(ax, share):
 
 
 def place_text(file: SweepFile, value: float) -> str:
-    """A place on the axis in words: its ratio, and in Hz or mm if the file gives them, or either alone as the picture's units."""
-    scale, units = axes.si_scale(file, file.axis_name), style.current().units
+    """A place on the axis in words: its ratio, and in Hz or mm if the file gives them, the job's own unit first, or either alone
+    as the picture's units."""
+    scale = axes.si_scale(file, file.axis_name)
     replaces = file.axis_name in IN_MILLIMETRES
-    if scale is None or (units == "ratio" and not replaces):
+    if scale is None:
         return f"{value:.4g}"
     name, factor = scale
     in_units = f"{value * factor:.4g} {name.rpartition('(')[2].rstrip(')')}"
-    return in_units if units == "si" or replaces else f"{value:.4g} ({in_units})"
+    if replaces:
+        return in_units
+    return either(file, in_units, f"{value:.4g}")
 
 
 def directions(file: SweepFile) -> list[str]:
@@ -154,9 +157,8 @@ def _gap_text(file, gap):
     if file.gap_name == "gap_m":
         return f"gap = {1000 * gap:.3g} mm"
     metres = file.positive("cart_amplitude_m")
-    if metres and style.current().units == "si":
-        return f"gap = {1000 * gap * metres:.3g} mm"
-    return f"gap/A₀ = {gap:.4g}" + (f" ({1000 * gap * metres:.3g} mm)" if metres else "")
+    in_millimetres = f"gap = {1000 * gap * metres:.3g} mm" if metres else ""
+    return either(file, in_millimetres, f"gap/A₀ = {gap:.4g}").replace("(gap = ", "(")
 
 
 def _has_room_beside(ax, text):
