@@ -221,10 +221,12 @@ NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def with_ratios_first(words):
-    """What leads with Hz and mm, as a job in these units does, as one in ratios would say it."""
+    """What leads with Hz, mm and N, as a job in these units does, as one in ratios would say it."""
+    words = re.sub(r"([\d.]+ [mk]?N) = ([\d.]+)", r"\2 = \1", words)
     for name, symbol, unit in (("frequency", "Ω/ω", "Hz"), ("gap", "gap/A₀", "mm")):
         one = COORDINATES[name][2] * (1e3 if unit == "mm" else 1)
-        words = re.sub(rf"{name} = ([\d.]+) {unit}", lambda told: f"{symbol} = {float(told[1]) / one:.6g}", words)
+        words = re.sub(rf"{name} = ([\d.]+ {unit}) \(({symbol} = [\d.]+)\)", r"\2 (\1)", words)
+        words = re.sub(rf"(?<!\(){name} = ([\d.]+) {unit}", lambda told: f"{symbol} = {float(told[1]) / one:.6g}", words)
         words = re.sub(rf"{name} ([\d.]+ {unit}) \(({name}_ratio [\d.]+)\)", r"\2 (\1)", words)
     return words
 
