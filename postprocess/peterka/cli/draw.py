@@ -8,11 +8,12 @@ A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (pe
 audited, STEM_computed where it is refined, and STEM_proved (of which cells the motion is proved, and why that of others
 is not) where it has certificates; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
 or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement, multiplier,
-lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. With --curves, a file of curves
-of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
-300 cycles, or --after, would see. A map with [starts]
-gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most starts end), STEM_attractors_impact
-(share of starts that impact), STEM_share_... (share of each of the commonest z) and, where kicks are stored, STEM_kick.
+lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. With
+--curves, a file of curves of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where
+last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only 300 cycles, or
+--after, would see. A map with [starts] gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most
+starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
+where kicks are stored, STEM_kick.
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
 curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them. A file of curves gives

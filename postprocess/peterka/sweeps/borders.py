@@ -55,7 +55,8 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
         gap_of = coordinate(sweep, "gap_m" if sweep.data.has("gap_m") else sweep.gap_name)
         gaps = ", ".join(f"{gap * gap_of.unit:.10g}" for gap in sweep.gaps if gap is not None)
         raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] {gap_of.stored} = [{gaps}]")
-    met = sorted((border for border in borders if _is_met(sweep, border)), key=lambda border: (border.gap, border.frequency_ratio))
+    met = sorted((border for border in borders if _is_met(sweep, border)),
+                 key=lambda border: (border.gap, border.frequency_ratio))
     return [border for n, border in enumerate(met) if not any(_is_same(border, other) for other in met[:n])]
 
 
