@@ -100,7 +100,7 @@ def test_a_sweep_along_the_gap_says_so(files, name):
         assert np.allclose(scale.get_xlim(), [0, 2])
 
 
-@pytest.mark.parametrize("units, expected", [("both", r" at \d\S* \(\d\S* mm\)$"), ("si", r" at \d\S* mm$"), ("ratio", r" at \d\S*$")])
+@pytest.mark.parametrize("units, expected", [("both", r" at \d\S* mm \(\d\S*\)$"), ("si", r" at \d\S* mm$"), ("ratio", r" at \d\S*$")])
 def test_places_along_the_gap_are_told_in_the_units_of_the_picture(files, units, expected):
     with open_file(files / "sweep.h5") as file:
         figure = pictures_of(file)["response"](file, units=units)[0].figure
