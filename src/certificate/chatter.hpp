@@ -8,13 +8,13 @@
 // same state: both multipliers are 0.
 //
 // Lemma. The hammer leaves the stop with speed w at a time from which a_min <= a <= a_max for a time T that
-// ends before the lift-off. Let V = 2 w, D = w^2/a_min, and let S bound the slope of the cubic term up to |u| =
-// |g| + D. While |delta'| <= V and |delta| <= D, delta'' lies between alpha = a_min - c V - S D and beta =
-// a_max + c V
-// + (K + S) D. If alpha > 0, a flight takes at most 2 w/alpha, reaches a depth of at most w^2/(2 alpha), and
-// ends with a speed of at most w sqrt(beta/alpha). If these bounds are below D and V, and kappa = r
-// sqrt(beta/alpha) < 1, then the same holds for the next flight, which begins with kappa w at most, and so on:
-// the hammer is at rest after 2 w/(alpha (1 - kappa)). If that is at most T, it rests until it lifts off.
+// ends before the lift-off. Let V = 2 w, D = w^2/a_min, and let S bound the slope of the cubic term up to
+// |u| = |g| + D. While |delta'| <= V and |delta| <= D, delta'' lies between alpha = a_min - c V - S D and
+// beta = a_max + c V + (K + S) D. If alpha > 0, a flight takes at most 2 w/alpha, reaches a depth of at most
+// w^2/(2 alpha), and ends with a speed of at most w sqrt(beta/alpha). If these bounds are below D and V, and
+// kappa = r sqrt(beta/alpha) < 1, then the same holds for the next flight, which begins with kappa w at most,
+// and so on: the hammer is at rest after 2 w/(alpha (1 - kappa)). If that is at most T, it rests until it lifts
+// off.
 #pragma once
 
 #include <cstdint>
