@@ -62,10 +62,10 @@ std::optional<double> speed_before_rest(const Springs<Interval>& springs, const 
         if (!a.positive()) return std::nullopt;
         const Interval v = Interval(2) * w;
         const Interval d = square(w) / Interval(a.lo);
-        const Interval slope(phase.largest_cubic_slope((abs(phase.gap()) + d).hi));
-        const Interval alpha = Interval(a.lo) - phase.damping() * v - slope * d;
-        const Interval beta = Interval(a.hi) + phase.damping() * v + (phase.stiffness() + slope) * d;
-        if (!alpha.positive()) return std::nullopt;
+        const Interval near = acceleration_near_stop(phase, a, v, d);
+        if (!near.positive()) return std::nullopt;
+        const Interval alpha(near.lo);
+        const Interval beta(near.hi);
         const Interval growth = sqrt(beta / alpha);
         const Interval shrinks = Interval(1) - r * growth;
         const bool is_bounded =
@@ -85,6 +85,14 @@ bool is_near(const Vector<double>& state, const Springs<double>& springs, const 
 }
 
 }  // namespace
+
+Interval acceleration_near_stop(const Phase<Interval>& phase, const Interval& pressing, const Interval& speed,
+                                const Interval& depth) {
+    const Interval slope(phase.largest_cubic_slope((abs(phase.gap()) + depth).hi));
+    const Interval least = Interval(pressing.lo) - phase.damping() * speed - slope * depth;
+    const Interval most = Interval(pressing.hi) + phase.damping() * speed + (phase.stiffness() + slope) * depth;
+    return {least.lo, most.hi};
+}
 
 bool find_lift_off(Springs<Interval>& springs) {
     const bool changes_sign =

@@ -25,6 +25,10 @@
 
 namespace peterka::certificate {
 
+// [alpha, beta] of the lemma, from [a_min, a_max], V and D.
+[[nodiscard]] Interval acceleration_near_stop(const Phase<Interval>& phase, const Interval& pressing,
+                                              const Interval& speed, const Interval& depth);
+
 // Sets springs.lift_off; false if the hammer never lifts off from rest on this stop, or this is not proved.
 [[nodiscard]] bool find_lift_off(Springs<Interval>& springs);
 
