@@ -101,7 +101,8 @@ std::string label_edges_text(const job::Job& job, const CurveSearchResult& found
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (lengths[i] == 0 && curves[i] == 0) continue;
         text += fmt::format("  {:>6.1f} % of their length {}", 100 * lengths[i] / whole, words[i]);
-        text += i > 0 && curves[i] > 0 ? fmt::format("; that is why {} curves have no such edge\n", curves[i])
+        text += i > 0 && curves[i] > 0 ? fmt::format("; that is why {} {} no such edge\n", curves[i],
+                                                     curves[i] == 1 ? "curve has" : "curves have")
                                        : "\n";
     }
     return text;
@@ -149,11 +150,12 @@ std::string in_words(const scene::Scene& scene, const CurveSearchResult& found) 
         for (const CurvePoint& point : curve.points) largest = std::max(largest, point.residual);
     }
     return fmt::format(
-        "\n{}\n{} curves, {} points, residual {:.1e} at most: of the orbit's equations over 1 + its largest "
+        "\n{}\n{} {}, {} points, residual {:.1e} at most: of the orbit's equations over 1 + its largest "
         "velocity, and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}",
-        title, found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
-        table_of_curves(found), specials_text(found), edges_text(found.edges), label_edges_text(job, found),
-        distances_text(job, found), borders_in_words(scene, found));
+        title, found.curves.size(), found.curves.size() == 1 ? "curve" : "curves",
+        readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found),
+        specials_text(found), edges_text(found.edges), label_edges_text(job, found), distances_text(job, found),
+        borders_in_words(scene, found));
 }
 
 std::string speed_in_words(const CurveSearchResult& found) {

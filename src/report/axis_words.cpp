@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "job/axis.hpp"
 #include "job/axis_quantity.hpp"
@@ -20,10 +23,11 @@ double natural_hz(const scene::Scales& scales) {
 }
 
 // Lengths in millimetres.
-std::string with_unit(std::string_view key, double value) {
+std::string with_unit(std::string_view key, double value, int digits) {
     const std::string& units = job::quantity(key).units;
-    if (units == "m") return fmt::format("{:.4g} mm", 1e3 * value);
-    return units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
+    if (units == "m") return fmt::format("{:.{}g} mm", 1e3 * value, digits);
+    const std::string number = fmt::format("{:.{}g}", value, digits);
+    return units == "1" ? number : fmt::format("{} {}", number, units);
 }
 
 std::optional<job::Twin> twin_on_axis(const job::Job& job, std::string_view key) {
@@ -93,10 +97,23 @@ std::string start_in_words(const scene::Scene& scene, std::int64_t row, std::int
                        said(row_key(job), "x'/(A0 omega)", "x'", job.rows, row));
 }
 
-std::string value_in_words(const scene::Scene& scene, std::string_view key, double value) {
+std::string value_in_words(const scene::Scene& scene, std::string_view key, double value, int digits) {
     const auto twin = twin_on_axis(scene.job(), key);
-    if (!twin || job::is_in_si(key)) return with_unit(key, value);
-    return fmt::format("{:.4g} ({})", value, with_unit(twin->key, twin->value(value)));
+    if (!twin || job::is_in_si(key)) return with_unit(key, value, digits);
+    return fmt::format("{:.{}g} ({})", value, digits, with_unit(twin->key, twin->value(value), digits));
+}
+
+int digits_apart(const job::Axis& axis) {
+    constexpr int fewest = 4;
+    constexpr int most = 12;
+    const std::vector<double> values = job::axis_values(axis);
+    double least = 1;  // difference of neighbours, relative to the larger
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const double larger = std::max(std::abs(values[i]), std::abs(values[i - 1]));
+        least = std::min(least, std::abs(values[i] - values[i - 1]) / larger);
+    }
+    // the last of d digits is worth 10^(1 - d) of a number at most
+    return std::clamp(static_cast<int>(std::ceil(1 - std::log10(least / 2))), fewest, most);
 }
 
 std::string label_in_words(std::string_view key) {

@@ -34,7 +34,11 @@ namespace peterka {
 [[nodiscard]] std::string start_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column);
 
 // One value of an axis, with its unit: "2 (9 Hz)" of a ratio, "9 Hz" where that leads, "1200 N s/m".
-[[nodiscard]] std::string value_in_words(const scene::Scene& scene, std::string_view key, double value);
+[[nodiscard]] std::string value_in_words(const scene::Scene& scene, std::string_view key, double value,
+                                         int digits = 4);
+
+// Significant digits, 4 at least, that tell neighbouring values of an axis, and places half-way between, apart.
+[[nodiscard]] int digits_apart(const job::Axis& axis);
 
 // The label before it: "Omega/omega", "contact.damping_ns_per_m"; "frequency" for a value in SI units.
 [[nodiscard]] std::string label_in_words(std::string_view key);

@@ -167,8 +167,9 @@ std::string summary_text(const SummaryInput& input) {
            starts_summary(input.scene, input.findings.statistics.starts) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
-           sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) +
-           certificate_summary(input.scene, input.findings.statistics) + audit(input) + omitted(input) +
+           sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + input.borders +
+           effort(input) + certificate_summary(input.scene, input.findings.statistics) + audit(input) +
+           omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 

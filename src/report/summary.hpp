@@ -41,6 +41,7 @@ struct SummaryInput {
     const RunResults& findings;
     std::filesystem::path file;
     RunEffort effort;
+    std::string borders = {};  // of a map's regimes, in words; empty where none are asked for
 };
 
 [[nodiscard]] std::string summary_text(const SummaryInput& input);

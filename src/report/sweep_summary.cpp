@@ -34,7 +34,11 @@ constexpr std::size_t most_listed = 5;  // jumps, bands and classes of a branch
 class Words {
   public:
     explicit Words(const scene::Scene& scene)
-        : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(key_)) {}
+        : scene_(scene),
+          job_(scene.job()),
+          key_(column_key(job_)),
+          label_(label_in_words(key_)),
+          digits_(digits_apart(job_.columns)) {}
 
     // Heading of the branches with the same gap; `branch` is the first of them.
     [[nodiscard]] std::string gap(std::int64_t branch) const {
@@ -97,10 +101,13 @@ class Words {
             "at {}:", found.with_unvisited == 1 ? "1 point" : readable_count(found.with_unvisited) + " points");
         for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
             const Unvisited& each = found.unvisited[i];
-            text += fmt::format(
-                "{}{} at {} from {} to {}, up to {:.3g} % of the starts", i == 0 ? " " : "," + next_line,
-                (each.beside_its_like ? "another " : "") + name_of(each.motion), each.points,
-                at_axis(value(each.first)), at_axis(value(each.last)), 100 * each.largest_share);
+            text += fmt::format("{}{} {}, up to {:.3g} % of the starts", i == 0 ? " " : "," + next_line,
+                                (each.beside_its_like ? "another " : "") + name_of(each.motion),
+                                each.first == each.last
+                                    ? over(each.first, each.last)
+                                    : fmt::format("at {} points from {}", readable_count(each.points),
+                                                  over(each.first, each.last)),
+                                100 * each.largest_share);
         }
         if (found.unvisited.size() > most_listed)
             text += fmt::format(" and {} more", found.unvisited.size() - most_listed);
@@ -110,7 +117,14 @@ class Words {
         return text.empty() ? "" : fmt::format("  {:<12}{:<18}{}\n", branch, what, text);
     }
     [[nodiscard]] double value(std::int64_t column) const { return job::axis_value(job_.columns, column); }
-    [[nodiscard]] std::string at_axis(double value) const { return value_in_words(scene_, key_, value); }
+    [[nodiscard]] std::string at_axis(double value) const {
+        return value_in_words(scene_, key_, value, digits_);
+    }
+    // "9 Hz to 11 Hz", or "at 9 Hz" of one point.
+    [[nodiscard]] std::string over(std::int64_t first, std::int64_t last) const {
+        const std::string start = at_axis(value(first));
+        return first == last ? "at " + start : fmt::format("{} to {}", start, at_axis(value(last)));
+    }
     [[nodiscard]] std::string force(const BranchFindings& found, std::int64_t column) const {
         return force_in_words(job_, at(found, column).peak_force, weight(column));
     }
@@ -198,8 +212,8 @@ class Words {
         std::ranges::sort(widest, {}, &Band::first);
         std::string text;
         for (const Band& band : widest) {
-            text += fmt::format("{}{} {} to {}", text.empty() ? "" : ", ", name_of(band.motion),
-                                at_axis(value(band.first)), at_axis(value(band.last)));
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(band.motion),
+                                over(band.first, band.last));
         }
         if (found.bands.size() > widest.size()) {
             const std::size_t others = found.bands.size() - widest.size();
@@ -224,6 +238,7 @@ class Words {
     const job::Job& job_;
     std::string_view key_;
     std::string label_;
+    int digits_;
 };
 
 }  // namespace

@@ -93,14 +93,18 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
 }
 
 std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, const scene::Scene& scene) {
-    const auto names = job::axis_names(map.job);
     const StoredCell& stored = map.stored;
+    const scene::Scene of_map(map.job);
+    const auto at = [&](std::string_view key, const job::Axis& axis, std::int64_t index) {
+        return fmt::format("{} {}", label_in_words(key),
+                           value_in_words(of_map, key, job::axis_value(axis, index), 6));
+    };
     std::string text = fmt::format(
-        "\n{} {}, row {} ({} = {:.6g}), column {} ({} = {:.6g})\n"
+        "\n{} {}, row {} ({}), column {} ({})\n"
         "  stores           {}, {}\n",
-        map.job.kind == job::Kind::basin ? "Basin" : "Map", map.file.string(), map.row, names.rows,
-        job::axis_value(map.job.rows, map.row), map.column, names.columns,
-        job::axis_value(map.job.columns, map.column), regime_in_words(stored),
+        map.job.kind == job::Kind::basin ? "Basin" : "Map", map.file.string(), map.row,
+        at(row_key(map.job), map.job.rows, map.row), map.column,
+        at(column_key(map.job), map.job.columns, map.column), regime_in_words(stored),
         force_in_words(stored.peak_force, scene));
     if (!map.asked_beside.empty())
         text += fmt::format("                   the nearest cell, {} from the place of this trace\n",

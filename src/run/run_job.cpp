@@ -81,11 +81,11 @@ void refuse_damage(const RunPlan& plan, const map_file::RemainingTiles& remainin
 }
 
 std::string summary(const Session& session, const RunPlan& plan, const scene::Scene& scene,
-                    const RunResults& findings, const Stopwatch& wall) {
+                    const RunResults& findings, const std::string& borders, const Stopwatch& wall) {
     if (!session.is_root() || plan.quiet) return "";
     const bool complete = plan.existing == Existing::complete;
     return (complete ? fmt::format("{} is complete: nothing is computed\n", plan.file.string()) : "") +
-           summary_text({scene, findings, plan.file, {session.size(), wall.seconds()}});
+           summary_text({scene, findings, plan.file, {session.size(), wall.seconds()}, borders});
 }
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
@@ -137,12 +137,11 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
             const findings::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
             if (!complete) file.finish(statistics, omitted, facts());
+            const std::string borders = map_borders(session, plan, stop);
             words = summary(session, plan, scene,
                             {statistics, file.audit_report(), omitted, find_in_sweep(session, plan, file),
                              find_in_basin(session, plan, file)},
-                            wall);
-            const std::string borders = map_borders(session, plan, stop);
-            if (!words.empty()) words += borders;
+                            borders, wall);
             code = judge(session, plan, statistics);
         } catch (const Stopped&) {  // all ranks come here together
             if (solve_seconds == 0) solve_seconds = solving.seconds();

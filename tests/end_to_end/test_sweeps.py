@@ -1,6 +1,7 @@
 """Sweeps: the same file at any number of ranks and after any interruption, and a summary of the findings."""
 
 import os
+import re
 import shutil
 import signal
 
@@ -107,6 +108,16 @@ def test_the_summary_tells_what_a_sweep_shows(tmp_path):
     for words in ["246 cells: 41 by 6 excitation frequencies and branches", "Gap/A0 1.5 (1.335 mm)", "impact resonance",
                   "jumps", "hysteresis", "up 1/1, down no impact", "Sweep file job.h5"]:
         assert words in finished.stdout, finished.stdout
+
+
+def test_places_that_are_close_are_told_apart(tmp_path):
+    """Between 11.2 and 11.3 Hz four digits give neighbouring points one name."""
+    jobs.write(tmp_path, jobs.small_sweep(points=101, gaps="[1.5]"))
+    finished = launch.run("run", "job.toml", "--set", "axes.frequency_ratio.from=2.48", "--set", "axes.frequency_ratio.to=2.5",
+                          cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    spans = re.findall(r"([\d.]+) \([\d.]+ Hz\) to ([\d.]+) \([\d.]+ Hz\)", finished.stdout)
+    assert spans and all(first != last for first, last in spans), finished.stdout
 
 
 def test_check_prints_branches_and_the_files_size(tmp_path, small_sweep_file):

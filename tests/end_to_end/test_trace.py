@@ -1,6 +1,7 @@
 """Traces: identical at any number of ranks, readable by xarray, and consistent with the map whose cell they follow."""
 
 import importlib
+import re
 import shutil
 import signal
 import sys
@@ -92,7 +93,9 @@ def test_a_trace_tells_why_a_cell_has_its_colour(tmp_path, small_map_file, regim
         stored = {name: file[name][row, column] for name in ("regime", "impacts", "period", "peak_force_ratio")}
         place = file["frequency_ratio"][column], file["gap_ratio"][row]
     path, said = compute(tmp_path, jobs.trace_of(small_map_file, f"row = {row}\ncolumn = {column}"))
-    assert f"row {row} (gap_ratio = " in said and f"column {column} (frequency_ratio = " in said
+    told = re.search(rf"row {row} \(gap/A0 (\S+) \((\S+) mm\)\), column {column} \(Omega/omega (\S+) \((\S+) Hz\)\)", said)
+    numbers = [place[1], 0.89 * place[1], place[0], 4.5 * place[0]]
+    assert told and [float(text) for text in told.groups()] == pytest.approx(numbers, rel=1e-5), said
     assert "agrees in regime and z" in said and agrees in said
     with h5py.File(path) as file:
         assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == place

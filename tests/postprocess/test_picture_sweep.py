@@ -11,7 +11,7 @@ from peterka.measurements import marks
 from peterka.measurements.points import Measurements, Point
 from peterka.sweeps.sweep_file import SweepFile
 from peterka.sweeps.borders import Border
-from peterka.sweeps.sweep_panels import LOOKS
+from peterka.sweeps.sweep_panels import LOOKS, place_text
 from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
@@ -42,6 +42,15 @@ def test_a_panel_for_each_gap_with_hertz_newtons_and_millimetres(tmp_path):
     assert panels[1].get_xlabel() == r"$\Omega/\omega$"
     labels = [child.get_xlabel() or child.get_ylabel() for ax in panels for child in ax.child_axes]
     assert [label for label in labels if label] == ["excitation frequency (Hz)", "peak force (N)", "peak force (N)"]
+
+
+def test_neighbouring_points_and_places_half_way_have_texts_of_their_own(tmp_path):
+    """A jump lies half-way: with four digits its place was 20.92 Hz in the summary and 20.91 Hz in the picture."""
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        for values in (np.linspace(0.5, 4.5, 401), np.linspace(2.49, 2.51, 301), np.geomspace(0.01, 9.99, 5001)):
+            file.values = values
+            places = [*values, *(values[1:] + values[:-1]) / 2]
+            assert len({place_text(file, place) for place in places}) == len(places)
 
 
 @pytest.mark.parametrize("draw", [response.draw, bifurcation.draw])

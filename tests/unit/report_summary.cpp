@@ -249,6 +249,17 @@ TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
                          "No cell strikes the stop for ever"));
 }
 
+TEST(Summary, BordersStandBeforeTheFileAndTheCommandThatDrawsIt) {
+    const findings::Statistics statistics = statistics_of_a_hundred_cells();
+    const std::string text = summary_text({scene::Scene(job_of(job::Kind::map)),
+                                           {statistics, {}, {}},
+                                           "maps/a.h5",
+                                           {3, 12.5},
+                                           "\nBorders at gap/A0 1\n"});
+    EXPECT_LT(text.find("Borders at gap/A0 1"), text.find("This run")) << text;
+    EXPECT_TRUE(text.ends_with("postprocess/draw.py maps/a.h5\n")) << text;
+}
+
 TEST(Summary, EffortFileAndCommand) {
     const std::string text = summary(statistics_of_a_hundred_cells());
     EXPECT_TRUE(contains(text, "25.0 forcing cycles and 5.0 ms per cell, 500.0 ms of computing")) << text;

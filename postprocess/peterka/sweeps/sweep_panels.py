@@ -137,13 +137,22 @@ def place_text(file: SweepFile, value: float) -> str:
     as the picture's units."""
     scale = axes.si_scale(file, file.axis_name)
     replaces = file.axis_name in IN_MILLIMETRES
+    digits = _digits_apart(file.values)
     if scale is None:
-        return f"{value:.4g}"
+        return f"{value:.{digits}g}"
     name, factor = scale
-    in_units = f"{value * factor:.4g} {name.rpartition('(')[2].rstrip(')')}"
+    in_units = f"{value * factor:.{digits}g} {name.rpartition('(')[2].rstrip(')')}"
     if replaces:
         return in_units
-    return either(file, in_units, f"{value:.4g}")
+    return either(file, in_units, f"{value:.{digits}g}")
+
+
+def _digits_apart(values):
+    """Significant digits, 4 at least, that tell neighbouring values and places half-way between apart: the rule of the
+    program's summary, so that both print a place alike."""
+    larger = np.maximum(np.abs(values[1:]), np.abs(values[:-1]))
+    least = np.min(np.abs(np.diff(values)) / larger, initial=1)
+    return int(np.clip(np.ceil(1 - np.log10(least / 2)), 4, 12))
 
 
 def directions(file: SweepFile) -> list[str]:
