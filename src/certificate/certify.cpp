@@ -121,7 +121,8 @@ Certificate certify_steady(const Rig& rig, bool presses, const EnclosedStart& st
         rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo && start.displacement.hi == rig.gap.hi;
     const Vector<Interval> state{touches ? Interval(0) : start.displacement - rig.gap,
                                  start.velocity - rig.frequency};
-    const bool from_start = keeps_to_phase(springs, presses, *motion, state);
+    const Leg<Interval> leg(springs.phase(presses), Interval(0), state);
+    const bool from_start = keeps_to_phase(springs, presses, *motion, leg, std::nullopt);
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .force_ratio = motion->force,
             .impact_speed = rig.rigid ? Interval(0) : nothing(),

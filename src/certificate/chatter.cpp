@@ -110,7 +110,7 @@ std::optional<EventChain> find_chatter(const Springs<Interval>& springs, const S
     const double period = approximate.rig.period;
     const double end = approximate.lift_off + static_cast<double>(orbit.period) * period;
     EventChain chain{orbit.period, {{EventKind::lift_off, 0, approximate.lift_off, 0}}};
-    Walk walk = Walk::from_lift_off(approximate);
+    Walk walk = Walk::after(approximate, chain.events[0]);
     bool meets_claim = false;
     double phase_zero = period;
     Event event;

@@ -132,6 +132,27 @@ struct LegEquations {
     Vector<Number> of_end_along;
 };
 
+// Of a leg from leaving * along to an event of a given kind.
+template <class Number>
+LegEquations<Number> leg_equations(const Springs<Number>& springs, const ChainLeg<Number>& from,
+                                   const Vector<Number>& leaving, EventKind to, const Place<Number>& end) {
+    const auto& [leg, length] = from;
+    const Vector<Number> surface = springs.surface(to);
+    const auto rates = [&](const Moment<Number>& moment) {
+        return Vector<Number>{moment.state.velocity,
+                              leg.phase().acceleration(moment.state, moment.angle.sine)};
+    };
+    LegEquations<Number> equations;
+    equations.flow = leg.flow(length);
+    const Moment<Number> met = leg.end(length, equations.flow, end.time);
+    equations.residual = met.state - scaled(surface, end.along);
+    equations.of_time = scaled(equations.flow * rates(leg.start()), Number(-1));
+    equations.of_along = equations.flow * leaving;
+    equations.of_end_time = rates(met);
+    equations.of_end_along = scaled(surface, Number(-1));
+    return equations;
+}
+
 template <class Number>
 LegEquations<Number> leg_equations(const Springs<Number>& springs, const EventChain& chain,
                                    const std::vector<Place<Number>>& places, std::size_t i) {
@@ -143,20 +164,8 @@ LegEquations<Number> leg_equations(const Springs<Number>& springs, const EventCh
         rest.of_end_along.velocity = 1;
         return rest;
     }
-    const Phase<Number>& phase = springs.phase(chain.presses(i));
-    const auto [leg, length] = leg_of(springs, chain, places, i);
-    const auto rates = [&](const Moment<Number>& moment) {
-        return Vector<Number>{moment.state.velocity, phase.acceleration(moment.state, moment.angle.sine)};
-    };
-    LegEquations<Number> equations;
-    equations.flow = leg.flow(length);
-    const Moment<Number> end = leg.end(length, equations.flow, places[next].time);
-    equations.residual = end.state - end_of_leg(springs, chain, places, i);
-    equations.of_time = scaled(equations.flow * rates(leg.start()), Number(-1));
-    equations.of_along = equations.flow * springs.leaving(chain.events[i].kind);
-    equations.of_end_time = rates(end);
-    equations.of_end_along = scaled(springs.surface(chain.events[next].kind), Number(-1));
-    return equations;
+    return leg_equations(springs, leg_of(springs, chain, places, i), springs.leaving(chain.events[i].kind),
+                         chain.events[next].kind, places[next]);
 }
 
 // The residual alone.

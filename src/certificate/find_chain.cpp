@@ -24,10 +24,18 @@ double safe_step(double value, double slope, double bend) {
 
 }  // namespace
 
-Walk Walk::from_lift_off(const Springs<double>& springs) {
-    Walk walk(springs, springs.lift_off, {0, 0});
-    walk.began_with_event_ = true;
+Walk Walk::after(const Springs<double>& springs, const Event& event) {
+    Walk walk(springs, event.time, {0, 0});
+    walk.leave(event);
     return walk;
+}
+
+void Walk::leave(const Event& event) {
+    state_ = scaled(springs_->leaving(event.kind), event.along);
+    time_ = event.time;
+    touched_ = event.kind == EventKind::touch || event.kind == EventKind::bounce;
+    presses_ = presses_after(event.kind);
+    began_with_event_ = true;
 }
 
 Walk::End Walk::go_on(double until, Event& event) {
@@ -82,11 +90,8 @@ Walk::End Walk::meet(double offset, const Moment<double>& now, Event& event) {
                                           : EventKind::touch;
     const Vector<double> surface = springs_->surface(event.kind);
     event.along = surface.velocity == 1 ? now.state.velocity : now.state.position;
-    stop_at(scaled(springs_->leaving(event.kind), event.along), time_ + offset);
-    event.time = time_;
-    touched_ = event.kind == EventKind::touch || event.kind == EventKind::bounce;
-    presses_ = presses_after(event.kind);
-    began_with_event_ = true;
+    event.time = time_ + offset;
+    leave(event);
     return End::event;
 }
 

@@ -33,7 +33,7 @@ class Walk {
           state_(state),
           time_(time),
           presses_(state.position > 0 && springs.force(state) > 0) {}
-    static Walk from_lift_off(const Springs<double>& springs);  // of a rigid stop
+    static Walk after(const Springs<double>& springs, const Event& event);
 
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] const Vector<double>& state() const { return state_; }
@@ -48,6 +48,7 @@ class Walk {
     [[nodiscard]] double largest_step(const Phase<double>& phase, const Moment<double>& now, double cap,
                                       bool begins) const;
     End meet(double offset, const Moment<double>& now, Event& event);
+    void leave(const Event& event);
     void stop_at(const Vector<double>& state, double time);
 
     const Springs<double>* springs_;

@@ -80,28 +80,35 @@ bool March::lift_off(double until) {
     return offset_ > 0;
 }
 
+bool March::begin(std::optional<EventKind> from, double until) {
+    if (!from) {
+        const Interval& position = leg_->start().state.position;
+        return step(until, position.lo == 0 && position.hi == 0);
+    }
+    if (*from == EventKind::lift_off) return lift_off(until);
+    if (*from == EventKind::bounce && springs_->rig.restitution.hi == 0) return leave_at_once(until);
+    const bool presses_at_once = *from == EventKind::touch && springs_->rig.damping.positive();
+    return step(until, !presses_at_once);
+}
+
 bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
                  const std::vector<Place<Interval>>& places, std::size_t i) {
-    const bool presses = chain.presses(i);
-    const EventKind from = chain.events[i].kind;
-    const EventKind to = chain.events[chain.next(i)].kind;
-    if (presses != (to == EventKind::release)) return false;
-    const auto [leg, length] = leg_of(springs, chain, places, i);
-    if (!length.positive()) return false;
-    const Moment<Interval> end = leg.moment(end_of_leg(springs, chain, places, i), places[chain.next(i)].time);
-    if (to == EventKind::resume && !end.state.position.positive()) return false;
-    const Phase<Interval>& phase = leg.phase();
-    const double before = surely_before(springs, phase, signal_of(to), end);
+    const std::size_t next = chain.next(i);
+    return leg_is_free(springs, leg_of(springs, chain, places, i), chain.presses(i), chain.events[i].kind,
+                       chain.events[next].kind, places[next]);
+}
+
+bool leg_is_free(const Springs<Interval>& springs, const ChainLeg<Interval>& from_leg, bool presses,
+                 std::optional<EventKind> from, EventKind to, const Place<Interval>& end) {
+    const auto& [leg, length] = from_leg;
+    if (presses != (to == EventKind::release) || !length.positive()) return false;
+    const Moment<Interval> met = leg.moment(scaled(springs.surface(to), end.along), end.time);
+    if (to == EventKind::resume && !met.state.position.positive()) return false;
+    const double before = surely_before(springs, leg.phase(), signal_of(to), met);
     if (!(before > 0)) return false;
     const double until = (Interval(length.hi) - Interval(before)).hi;
-    const bool presses_at_once = from == EventKind::touch && springs.rig.damping.positive();
     March march(springs, leg, presses);
-    const auto first_step = [&] {
-        if (from == EventKind::lift_off) return march.lift_off(until);
-        if (from == EventKind::bounce && springs.rig.restitution.hi == 0) return march.leave_at_once(until);
-        return march.step(until, !presses_at_once);
-    };
-    if (until > 0 && !first_step()) return false;
+    if (until > 0 && !march.begin(from, until)) return false;
     for (int steps = 0; march.offset() < until; ++steps) {
         if (steps == most_steps_of_a_leg || !march.step(until)) return false;
     }

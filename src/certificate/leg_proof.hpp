@@ -7,6 +7,8 @@
 // one after the other by S(t + h) <= S + S' h + C h^2/2 with a bound C of |S''| (bends.hpp).
 #pragma once
 
+#include <optional>
+
 #include "certificate/signal.hpp"
 
 namespace peterka::certificate {
@@ -15,6 +17,9 @@ namespace peterka::certificate {
 // the surface transversally.
 [[nodiscard]] bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
                                const std::vector<Place<Interval>>& places, std::size_t i);
+// The same for a leg that begins with an event or, if there is none, at the start of a motion.
+[[nodiscard]] bool leg_is_free(const Springs<Interval>& springs, const ChainLeg<Interval>& leg, bool presses,
+                               std::optional<EventKind> from, EventKind to, const Place<Interval>& end);
 
 // Marches along a leg from an offset, in steps as long as can be proved to keep one of the signals below 0.
 class March {
@@ -22,17 +27,20 @@ class March {
     March(const Springs<Interval>& springs, const Leg<Interval>& leg, bool presses)
         : springs_(&springs), leg_(&leg), presses_(presses), cap_(short_time(leg.phase())) {}
 
+    // The first step, after an event or from the start of a motion.
+    [[nodiscard]] bool begin(std::optional<EventKind> from, double until);
     // One step from the offset, at most up to `until`; on_surface: the signal is 0 there. False: no step can be
     // proved.
     [[nodiscard]] bool step(double until, bool on_surface = false);
+    [[nodiscard]] double offset() const { return offset_; }
+
+  private:
     // The first step from rest on a rigid stop, where the first derivative of delta that is not 0 is negative:
     // the second, after an impact with r = 0, or the third, at a lift-off. Then delta stays negative for 3, or
     // 4, times its size over a bound of the next derivative.
     [[nodiscard]] bool leave_at_once(double until);
     [[nodiscard]] bool lift_off(double until);
-    [[nodiscard]] double offset() const { return offset_; }
 
-  private:
     const Springs<Interval>* springs_;
     const Leg<Interval>* leg_;
     bool presses_;

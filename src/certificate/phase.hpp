@@ -39,6 +39,11 @@ Matrix<Number> operator*(const Matrix<Number>& m, const Matrix<Number>& n) {
     return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c, m.c * n.b + m.d * n.d};
 }
 template <class Number>
+Matrix<Number> inverse(const Matrix<Number>& m) {
+    const Number determinant = m.a * m.d - m.b * m.c;
+    return {m.d / determinant, -(m.b / determinant), -(m.c / determinant), m.a / determinant};
+}
+template <class Number>
 Vector<Number> operator+(const Vector<Number>& v, const Vector<Number>& w) {
     return {v.position + w.position, v.velocity + w.velocity};
 }

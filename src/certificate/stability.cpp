@@ -18,10 +18,7 @@ class Product {
         const double length = std::hypot(a, c);
         if (!(length > 0)) return lose();
         frame_ = {a / length, -c / length, c / length, a / length};
-        const Interval determinant = frame_.a * frame_.d - frame_.b * frame_.c;
-        const Matrix<Interval> inverse{frame_.d / determinant, -frame_.b / determinant, -frame_.c / determinant,
-                                       frame_.a / determinant};
-        rest_ = (inverse * turned) * rest_;
+        rest_ = (inverse(frame_) * turned) * rest_;
     }
     [[nodiscard]] Interval trace() const {
         const Matrix<Interval> whole = frame_ * rest_;

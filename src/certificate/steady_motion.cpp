@@ -118,9 +118,8 @@ std::optional<SteadyMotion> steady_motion(const Springs<Interval>& springs, bool
 
 // V never increases; once it is too small for the signal to change its sign, it never does.
 bool keeps_to_phase(const Springs<Interval>& springs, bool presses, const SteadyMotion& motion,
-                    const Vector<Interval>& start) {
+                    const Leg<Interval>& leg, std::optional<EventKind> from) {
     const Phase<Interval>& phase = springs.phase(presses);
-    const Leg<Interval> leg(phase, Interval(0), start);
     const Interval half = phase.damping() / Interval(2);
     const Interval stiffness = phase.stiffness() + square(half);  // K + c^2/4
     const auto stays = [&](double offset) {
@@ -134,12 +133,11 @@ bool keeps_to_phase(const Springs<Interval>& springs, bool presses, const Steady
             presses ? springs.rig.stiffness * largest + springs.rig.damping * fastest : largest;
         return change.hi < motion.room && contracts(phase, (Interval(motion.reach) + largest).hi);
     };
-    const bool on_surface = start.position.lo == 0 && start.position.hi == 0;
-    if (presses && !start.position.positive()) return false;
+    if (!from && presses && !leg.start().state.position.positive()) return false;
     March march(springs, leg, presses);
     double looked = 0;
     for (int steps = 0; steps < most_steps_to_settle; ++steps) {
-        if (!march.step(1e6, steps == 0 && on_surface)) return false;
+        if (!(steps == 0 ? march.begin(from, 1e6) : march.step(1e6))) return false;
         if (march.offset() < looked + springs.rig.period.hi) continue;
         looked = march.offset();
         if (stays(looked)) return true;

@@ -31,9 +31,9 @@ struct SteadyMotion {
 // 0. nothing: existence is not proved. The motion attracts if the margin is positive.
 [[nodiscard]] std::optional<SteadyMotion> steady_motion(const Springs<Interval>& springs, bool presses);
 
-// Whether the motion from a state at forcing phase 0 is proved never to leave the phase, and to converge to the
-// steady motion.
+// Whether a motion is proved never to leave the phase after an event, or after its start if there is none, and
+// to converge to the steady motion.
 [[nodiscard]] bool keeps_to_phase(const Springs<Interval>& springs, bool presses, const SteadyMotion& motion,
-                                  const Vector<Interval>& start);
+                                  const Leg<Interval>& leg, std::optional<EventKind> from);
 
 }  // namespace peterka::certificate
