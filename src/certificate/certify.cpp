@@ -5,6 +5,7 @@
 #include "certificate/orbit_box.hpp"
 #include "certificate/peak_force.hpp"
 #include "certificate/stability.hpp"
+#include "certificate/start_way.hpp"
 #include "certificate/steady_motion.hpp"
 
 namespace peterka::certificate {
@@ -63,14 +64,33 @@ Interval largest_impact_speed(const Places& places) {
     return largest;
 }
 
+// What a certificate is about, and what is to be proved.
+struct Case {
+    Springs<Interval> springs;
+    Springs<double> approximate;
+    EnclosedStart start;
+    OfStart of_start;
+
+    [[nodiscard]] StartWay way() const {
+        // A start on the surface is distinguished from one next to it only if both numbers are exact.
+        const Rig& rig = springs.rig;
+        const bool touches = rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo &&
+                             start.displacement.hi == rig.gap.hi;
+        return {springs,
+                approximate,
+                {touches ? Interval(0) : start.displacement - rig.gap, start.velocity - rig.frequency}};
+    }
+    [[nodiscard]] bool follows_impacts() const { return of_start == OfStart::through_impacts; }
+};
+
 // An orbit that comes to rest on a rigid stop (chatter.hpp).
-Certificate certify_chatter(Springs<Interval>& springs, Springs<double>& approximate,
-                            const StroboscopicOrbit& orbit) {
+Certificate certify_chatter(Case& it, const StroboscopicOrbit& orbit) {
+    Springs<Interval>& springs = it.springs;
     if (!find_lift_off(springs)) return refused(Certified::no_orbit_found);
-    approximate.lift_off = springs.lift_off.middle();
-    const std::optional<EventChain> chain = find_chatter(springs, approximate, orbit);
+    it.approximate.lift_off = springs.lift_off.middle();
+    const std::optional<EventChain> chain = find_chatter(springs, it.approximate, orbit);
     if (!chain) return refused(Certified::no_orbit_found);
-    const std::optional<Places> places = orbit_box(springs, approximate, *chain);
+    const std::optional<Places> places = orbit_box(springs, it.approximate, *chain);
     if (!places) return refused(Certified::no_orbit_enclosed);
     for (std::size_t i = 0; i + 1 < places->size(); ++i) {
         if (!leg_is_free(springs, *chain, *places, i)) return refused(Certified::near_grazing);
@@ -78,21 +98,30 @@ Certificate certify_chatter(Springs<Interval>& springs, Springs<double>& approxi
     const std::optional<double> later_speed = comes_to_rest(springs, *chain, *places);
     if (!later_speed) return refused(Certified::near_grazing);
     if (impacts_with_chatter(springs, *chain, *places) != orbit.impacts) return refused(Certified::other_label);
-    return {.verdict = Certified::orbit,
+    const bool from_start = it.follows_impacts() && leads_to_rest(it.way());
+    return {.verdict = from_start ? Certified::start : Certified::orbit,
             .impact_speed = larger(largest_impact_speed(*places), Interval(0, *later_speed)),
             .stability_margin = 1};
 }
 
-Certificate certify_orbit(const Rig& rig, const StroboscopicOrbit& orbit) {
+// Whether the start of a proved orbit's cell is proved to lead to it.
+bool start_leads_to(Case& it, const EventChain& chain, const Places& places) {
+    if (!it.follows_impacts()) return false;
+    if (it.springs.rig.rigid && find_lift_off(it.springs))
+        it.approximate.lift_off = it.springs.lift_off.middle();
+    const std::optional<Trap> trap = find_trap(it.springs, it.approximate, chain, places);
+    return trap && leads_to_orbit(it.way(), *trap);
+}
+
+Certificate certify_orbit(Case& it, const StroboscopicOrbit& orbit) {
     if (orbit.period < 1) return refused(Certified::no_orbit_found);
-    Springs<Interval> springs(rig);
-    if (is_too_bent(springs.flight)) return refused(Certified::cubic_spring);
-    Springs<double> approximate(middle(rig));
-    const std::optional<EventChain> chain = find_chain(approximate, orbit);
-    if (!chain && rig.rigid) return certify_chatter(springs, approximate, orbit);
+    const Springs<Interval>& springs = it.springs;
+    const bool rigid = springs.rig.rigid;
+    const std::optional<EventChain> chain = find_chain(it.approximate, orbit);
+    if (!chain && rigid) return certify_chatter(it, orbit);
     if (!chain) return refused(Certified::no_orbit_found);
     if (chain->impacts() != orbit.impacts) return refused(Certified::other_label);
-    const std::optional<Places> places = orbit_box(springs, approximate, *chain);
+    const std::optional<Places> places = orbit_box(springs, it.approximate, *chain);
     if (!places) return refused(Certified::no_orbit_enclosed);
     for (std::size_t i = 0; i < places->size(); ++i) {
         if (!leg_is_free(springs, *chain, *places, i)) return refused(Certified::near_grazing);
@@ -100,32 +129,28 @@ Certificate certify_orbit(const Rig& rig, const StroboscopicOrbit& orbit) {
     if (!has_no_smaller_period(*chain, *places)) return refused(Certified::other_label);
     const double margin = stability_margin(springs, *chain, *places);
     if (!(margin > 0)) return refused(Certified::not_surely_stable);
-    if (rig.rigid) {
-        return {.verdict = Certified::orbit,
-                .impact_speed = largest_impact_speed(*places),
-                .stability_margin = margin};
+    Certificate certificate{.verdict = Certified::orbit, .stability_margin = margin};
+    if (rigid) {
+        certificate.impact_speed = largest_impact_speed(*places);
+    } else {
+        certificate.force_ratio = peak_force(springs, *chain, *places);
+        if (!certificate.force_ratio.positive()) return refused(Certified::force_not_bounded);
     }
-    const Interval force = peak_force(springs, *chain, *places);
-    if (!force.positive()) return refused(Certified::force_not_bounded);
-    return {.verdict = Certified::orbit, .force_ratio = force, .stability_margin = margin};
+    if (start_leads_to(it, *chain, *places)) certificate.verdict = Certified::start;
+    return certificate;
 }
 
-Certificate certify_steady(const Rig& rig, bool presses, const EnclosedStart& start) {
-    const Springs<Interval> springs(rig);
-    if (is_too_bent(springs.flight)) return refused(Certified::cubic_spring);
+Certificate certify_steady(const Case& it, bool presses) {
+    const Springs<Interval>& springs = it.springs;
     const std::optional<SteadyMotion> motion = steady_motion(springs, presses);
     if (!motion) return refused(Certified::near_grazing);
     if (!(motion->margin > 0)) return refused(Certified::not_surely_stable);
-    // A start on the surface is distinguished from one next to it only if both numbers are exact.
-    const bool touches =
-        rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo && start.displacement.hi == rig.gap.hi;
-    const Vector<Interval> state{touches ? Interval(0) : start.displacement - rig.gap,
-                                 start.velocity - rig.frequency};
-    const Leg<Interval> leg(springs.phase(presses), Interval(0), state);
-    const bool from_start = keeps_to_phase(springs, presses, *motion, leg, std::nullopt);
+    const StartWay way = it.way();
+    const bool from_start = keeps_to_phase(springs, presses, *motion, way.leg(presses), std::nullopt) ||
+                            (it.follows_impacts() && leads_to_steady(springs, way, presses, *motion));
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .force_ratio = motion->force,
-            .impact_speed = rig.rigid ? Interval(0) : nothing(),
+            .impact_speed = springs.rig.rigid ? Interval(0) : nothing(),
             .stability_margin = motion->margin};
 }
 
@@ -136,14 +161,15 @@ bool has_theorem(cell::Regime regime) {
 
 }  // namespace
 
-Certificate certify(const job::CellNumbers& numbers, const Claim& claim) {
+Certificate certify(const job::CellNumbers& numbers, const Claim& claim, OfStart of_start) {
     if (!has_theorem(claim.regime)) return {};
     const std::optional<Rig> rig = rig_of(numbers);
     if (!rig) return refused(Certified::other_stop);
-    Certificate certificate =
-        claim.regime == cell::Regime::periodic
-            ? certify_orbit(*rig, claim.orbit)
-            : certify_steady(*rig, claim.regime == cell::Regime::sustained_contact, start_of(numbers));
+    Case it{Springs<Interval>(*rig), Springs<double>(middle(*rig)), start_of(numbers), of_start};
+    if (is_too_bent(it.springs.flight)) return refused(Certified::cubic_spring);
+    Certificate certificate = claim.regime == cell::Regime::periodic
+                                  ? certify_orbit(it, claim.orbit)
+                                  : certify_steady(it, claim.regime == cell::Regime::sustained_contact);
     if (certificate.force_ratio.hi > 0)
         certificate.force_ratio = certificate.force_ratio * force_ratio(numbers);
     if (certificate.impact_speed.hi > 0)

@@ -29,6 +29,11 @@ struct Certificate {
     [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
 };
 
-[[nodiscard]] Certificate certify(const job::CellNumbers& numbers, const Claim& claim);
+enum class OfStart { if_it_keeps_its_phase, through_impacts };
+
+// `of_start`: how far the motion from the cell's start is followed, in order to prove that it leads there: up
+// to its first impact or release, or through all of them (start_way.hpp).
+[[nodiscard]] Certificate certify(const job::CellNumbers& numbers, const Claim& claim,
+                                  OfStart of_start = OfStart::if_it_keeps_its_phase);
 
 }  // namespace peterka::certificate

@@ -44,40 +44,6 @@ Interval time_to_lift_off(const Springs<Interval>& springs, const EventChain& ch
     return springs.lift_off - impact.time + Interval(cycles) * springs.rig.period;
 }
 
-// The lemma for the flight after an impact, `left` before the lift-off: a bound of the speeds of all later
-// impacts.
-std::optional<double> speed_before_rest(const Springs<Interval>& springs, const Place<Interval>& impact,
-                                        const Interval& left) {
-    const Phase<Interval>& phase = springs.flight;
-    const Interval r = springs.rig.restitution;
-    const Interval w((r * impact.along).hi);
-    const Interval now = phase.frequency() * impact.time;
-    const bool is_last_stretch = left.positive() && (left - springs.rig.period).negative();
-    if (!is_last_stretch || !pressing(springs, sine_cosine(now).sine).positive()) return std::nullopt;
-    if (r.hi == 0) return 0;  // at rest at once
-    double time = 0;
-    for (int tries = 0; tries < 12; ++tries) {
-        if (!(Interval(time) - left).negative()) return std::nullopt;
-        const Interval a = pressing(springs, sine_cosine(now + phase.frequency() * Interval(0, time)).sine);
-        if (!a.positive()) return std::nullopt;
-        const Interval v = Interval(2) * w;
-        const Interval d = square(w) / Interval(a.lo);
-        const Interval near = acceleration_near_stop(phase, a, v, d);
-        if (!near.positive()) return std::nullopt;
-        const Interval alpha(near.lo);
-        const Interval beta(near.hi);
-        const Interval growth = sqrt(beta / alpha);
-        const Interval shrinks = Interval(1) - r * growth;
-        const bool is_bounded =
-            (w * growth - v).negative() && (square(w) / (Interval(2) * alpha) - d).negative();
-        if (!is_bounded || !shrinks.positive()) return std::nullopt;
-        const Interval takes = Interval(2) * w / (alpha * shrinks);
-        if (takes.hi <= time) return (w * growth).hi;
-        time = 1.05 * takes.hi;
-    }
-    return std::nullopt;
-}
-
 bool is_near(const Vector<double>& state, const Springs<double>& springs, const StroboscopicOrbit& orbit,
              double distance) {
     return std::abs(state.position + springs.rig.gap - orbit.displacement) <= distance &&
@@ -131,6 +97,38 @@ std::optional<EventChain> find_chatter(const Springs<Interval>& springs, const S
         const double about = near + 2 * approximate.rig.restitution * event.along;
         meets_claim = meets_claim || (phase_zero < end && is_near({0, 0}, approximate, orbit, about));
         return meets_claim && refine(approximate, chain) ? std::optional(chain) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> speed_before_rest(const Springs<Interval>& springs, const Place<Interval>& impact,
+                                        const Interval& left) {
+    const Phase<Interval>& phase = springs.flight;
+    const Interval r = springs.rig.restitution;
+    const Interval w((r * impact.along).hi);
+    const Interval now = phase.frequency() * impact.time;
+    const bool is_last_stretch = left.positive() && (left - springs.rig.period).negative();
+    if (!is_last_stretch || !pressing(springs, sine_cosine(now).sine).positive()) return std::nullopt;
+    if (r.hi == 0) return 0;  // at rest at once
+    double time = 0;
+    for (int tries = 0; tries < 12; ++tries) {
+        if (!(Interval(time) - left).negative()) return std::nullopt;
+        const Interval a = pressing(springs, sine_cosine(now + phase.frequency() * Interval(0, time)).sine);
+        if (!a.positive()) return std::nullopt;
+        const Interval v = Interval(2) * w;
+        const Interval d = square(w) / Interval(a.lo);
+        const Interval near = acceleration_near_stop(phase, a, v, d);
+        if (!near.positive()) return std::nullopt;
+        const Interval alpha(near.lo);
+        const Interval beta(near.hi);
+        const Interval growth = sqrt(beta / alpha);
+        const Interval shrinks = Interval(1) - r * growth;
+        const bool is_bounded =
+            (w * growth - v).negative() && (square(w) / (Interval(2) * alpha) - d).negative();
+        if (!is_bounded || !shrinks.positive()) return std::nullopt;
+        const Interval takes = Interval(2) * w / (alpha * shrinks);
+        if (takes.hi <= time) return (w * growth).hi;
+        time = 1.05 * takes.hi;
     }
     return std::nullopt;
 }

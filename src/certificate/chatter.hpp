@@ -38,6 +38,11 @@ namespace peterka::certificate {
                                                      const Springs<double>& approximate,
                                                      const StroboscopicOrbit& orbit);
 
+// The lemma for the flight after an impact, `left` [tau] before the lift-off: a bound of the speeds of all
+// later impacts, in A0 omega.
+[[nodiscard]] std::optional<double> speed_before_rest(const Springs<Interval>& springs,
+                                                      const Place<Interval>& impact, const Interval& left);
+
 // Proves that after the last bounce of such a chain the hammer comes to rest and remains there until it lifts
 // off. A bound of the speeds of all later impacts, in A0 omega.
 [[nodiscard]] std::optional<double> comes_to_rest(const Springs<Interval>& springs, const EventChain& chain,

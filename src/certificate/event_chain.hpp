@@ -134,13 +134,11 @@ struct LegEquations {
 
 // Of a leg from leaving * along to an event of a given kind.
 template <class Number>
-LegEquations<Number> leg_equations(const Springs<Number>& springs, const ChainLeg<Number>& from,
+LegEquations<Number> leg_equations(const Springs<Number>& springs, const Leg<Number>& leg, const Number& length,
                                    const Vector<Number>& leaving, EventKind to, const Place<Number>& end) {
-    const auto& [leg, length] = from;
     const Vector<Number> surface = springs.surface(to);
     const auto rates = [&](const Moment<Number>& moment) {
-        return Vector<Number>{moment.state.velocity,
-                              leg.phase().acceleration(moment.state, moment.angle.sine)};
+        return Vector<Number>{moment.state.velocity, leg.phase().acceleration(moment.state, moment.angle.sine)};
     };
     LegEquations<Number> equations;
     equations.flow = leg.flow(length);
@@ -164,8 +162,9 @@ LegEquations<Number> leg_equations(const Springs<Number>& springs, const EventCh
         rest.of_end_along.velocity = 1;
         return rest;
     }
-    return leg_equations(springs, leg_of(springs, chain, places, i), springs.leaving(chain.events[i].kind),
-                         chain.events[next].kind, places[next]);
+    const auto [leg, length] = leg_of(springs, chain, places, i);
+    return leg_equations(springs, leg, length, springs.leaving(chain.events[i].kind), chain.events[next].kind,
+                         places[next]);
 }
 
 // The residual alone.

@@ -82,8 +82,9 @@ bool March::lift_off(double until) {
 
 bool March::begin(std::optional<EventKind> from, double until) {
     if (!from) {
-        const Interval& position = leg_->start().state.position;
-        return step(until, position.lo == 0 && position.hi == 0);
+        const Vector<Interval>& state = leg_->start().state;
+        const bool on_surface = state.position.lo == 0 && state.position.hi == 0;
+        return (!on_surface || state.velocity.negative()) && step(until, on_surface);
     }
     if (*from == EventKind::lift_off) return lift_off(until);
     if (*from == EventKind::bounce && springs_->rig.restitution.hi == 0) return leave_at_once(until);
@@ -94,13 +95,13 @@ bool March::begin(std::optional<EventKind> from, double until) {
 bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
                  const std::vector<Place<Interval>>& places, std::size_t i) {
     const std::size_t next = chain.next(i);
-    return leg_is_free(springs, leg_of(springs, chain, places, i), chain.presses(i), chain.events[i].kind,
-                       chain.events[next].kind, places[next]);
+    const auto [leg, length] = leg_of(springs, chain, places, i);
+    return leg_is_free(springs, leg, length, chain.presses(i), chain.events[i].kind, chain.events[next].kind,
+                       places[next]);
 }
 
-bool leg_is_free(const Springs<Interval>& springs, const ChainLeg<Interval>& from_leg, bool presses,
-                 std::optional<EventKind> from, EventKind to, const Place<Interval>& end) {
-    const auto& [leg, length] = from_leg;
+bool leg_is_free(const Springs<Interval>& springs, const Leg<Interval>& leg, const Interval& length,
+                 bool presses, std::optional<EventKind> from, EventKind to, const Place<Interval>& end) {
     if (presses != (to == EventKind::release) || !length.positive()) return false;
     const Moment<Interval> met = leg.moment(scaled(springs.surface(to), end.along), end.time);
     if (to == EventKind::resume && !met.state.position.positive()) return false;

@@ -18,8 +18,9 @@ namespace peterka::certificate {
 [[nodiscard]] bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
                                const std::vector<Place<Interval>>& places, std::size_t i);
 // The same for a leg that begins with an event or, if there is none, at the start of a motion.
-[[nodiscard]] bool leg_is_free(const Springs<Interval>& springs, const ChainLeg<Interval>& leg, bool presses,
-                               std::optional<EventKind> from, EventKind to, const Place<Interval>& end);
+[[nodiscard]] bool leg_is_free(const Springs<Interval>& springs, const Leg<Interval>& leg,
+                               const Interval& length, bool presses, std::optional<EventKind> from,
+                               EventKind to, const Place<Interval>& end);
 
 // Marches along a leg from an offset, in steps as long as can be proved to keep one of the signals below 0.
 class March {

@@ -137,7 +137,9 @@ std::optional<std::vector<Place<Interval>>> orbit_box(const Springs<Interval>& s
     const Krawczyk krawczyk(springs, middle, chain);
     std::vector<double> radii = krawczyk.correction();
     for (double& radius : radii) radius = 1.5 * radius + 1e-280;
-    for (int tries = 0; tries < 6; ++tries) {
+    constexpr double widest =
+        0.1;  // of a box that may hold a single orbit; a leg from a wide one costs seconds
+    for (int tries = 0; tries < 6 && std::ranges::max(radii) < widest; ++tries) {
         const std::vector<double> image = krawczyk.image(radii);
         if (inside(image, radii)) return box_around(chain, image);
         for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = 1.5 * std::max(image[i], radii[i]);

@@ -54,6 +54,10 @@ template <typename Walker>
 void describe(Walker& table, Certificate& certificate) {
     table.count_or_all({"cells", "cells tried, drawn from all, or \"all\"; 0 for none"}, certificate.cells,
                        from_to<std::int64_t>(0, every_cell, "it counts cells"));
+    table.flag({.name = "starts",
+                .meaning = "true: also that the start leads there, through all its impacts",
+                .is_written = certificate.starts},
+               certificate.starts);
 }
 
 template <typename Walker>

@@ -5,13 +5,25 @@
 #include "certificate/certify.hpp"
 #include "job/cell_numbers.hpp"
 #include "run/audit_sample.hpp"
+#include "scene/scales.hpp"
 
 namespace peterka {
 namespace {
 
+using certificate::OfStart;
+
 // A point of a sweep that continues from the previous one doesn't begin at [start].
 bool begins_at_start(const job::Job& job, std::int64_t row) {
     return job.kind != job::Kind::sweep || job.sweep.branch(row).direction == job::Direction::independent;
+}
+
+// Of a cell whose label no longer depends on rounding: its force, F/(m g0), may still be further away from the
+// proved bounds than allowed.
+cell::Status status_of_force(const job::Job& job, const certificate::Certificate& certificate, double force) {
+    const double allowed = std::max(job.solver.tolerance, job.solver.omit_tolerance);
+    const bool is_off = force < certificate.force_ratio.lo * (1 - allowed) ||
+                        force > certificate.force_ratio.hi * (1 + allowed);
+    return is_off ? cell::Status::imprecise : cell::Status::verified;
 }
 
 }  // namespace
@@ -32,15 +44,22 @@ bool wants_certificate(const job::Job& job, std::int64_t row, std::int64_t colum
 
 void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, cell::CellResult& result) {
     if (!wants_certificate(job, row, column)) return;
+    const bool starts = begins_at_start(job, row);
+    const job::CellNumbers numbers = job::numbers_at(job, row, column);
     const certificate::Certificate certificate = certificate::certify(
-        job::numbers_at(job, row, column), {.regime = result.regime,
-                                            .orbit = {.impacts = result.impacts,
-                                                      .period = result.period,
-                                                      .displacement = result.orbit_displacement,
-                                                      .velocity = result.orbit_velocity}});
+        numbers,
+        {.regime = result.regime,
+         .orbit = {.impacts = result.impacts,
+                   .period = result.period,
+                   .displacement = result.orbit_displacement,
+                   .velocity = result.orbit_velocity}},
+        starts && job.certificate.starts ? OfStart::through_impacts : OfStart::if_it_keeps_its_phase);
     result.certified = certificate.verdict;
     if (!certificate.proved()) return;
-    if (!begins_at_start(job, row)) result.certified = cell::Certified::orbit;
+    if (!starts) result.certified = cell::Certified::orbit;
+    if (result.certified == cell::Certified::start && result.status == cell::Status::rounding)
+        result.status =
+            status_of_force(job, certificate, scene::scales_of(numbers).force_ratio() * result.peak_force);
     result.force_lower = certificate.force_ratio.lo;
     result.force_upper = certificate.force_ratio.hi;
     result.impact_speed_lower = certificate.impact_speed.lo;

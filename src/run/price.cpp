@@ -152,7 +152,8 @@ std::string starts_price(const job::Job& job) {
 }
 
 // On one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,
-// 0.9 ms with the cubic term, 0.02 and 0.08 ms for a motion without impact.
+// 1.4 ms with the cubic term, 0.02 and 0.08 ms for a motion without impact; the way from the start to an orbit
+// 1.6 and 24 ms more.
 std::string certificate_price(const job::Job& job) {
     const std::int64_t cells = std::min(job.certificate.cells, job.cells());
     if (cells == 0) return "";
@@ -160,7 +161,9 @@ std::string certificate_price(const job::Job& job) {
     if (rig.spring_dashpot() == nullptr && !job::is_rigid(job.contact)) {
         return "#   proofs   none: there is no theorem for this law of the stop, and `certified` will say so\n";
     }
-    const double seconds_per_cell = rig.cubic == 0 ? 1e-4 : 1.4e-3;
+    const double orbit = rig.cubic == 0 ? 1e-4 : 1.4e-3;
+    const double way = rig.cubic == 0 ? 1.6e-3 : 24e-3;
+    const double seconds_per_cell = orbit + (job.certificate.starts ? way : 0);
     return fmt::format("#   proofs   of {} cells: {} of one core, or less\n", readable_count(cells),
                        readable_duration(static_cast<double>(cells) * seconds_per_cell));
 }

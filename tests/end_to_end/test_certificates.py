@@ -9,6 +9,7 @@ import jobs
 import launch
 
 ORBIT, START, NOT_TRIED = 1, 2, 0
+ROUNDING = 6  # of `status`
 POINTS = 24
 
 
@@ -81,3 +82,35 @@ def test_a_rigid_stop_has_bounds_of_the_speed_and_none_of_the_force(tmp_path):
     assert np.all((lower <= speed * (1 + 1e-3)) & (speed * (1 - 1e-3) <= upper) & (upper - lower <= 1e-7 * upper))
     assert np.all(np.isnan(cells["impact_speed_lower"][~proved]))
     assert "m/s of an impact, of the cells that are proved" in finished.stdout
+
+
+@pytest.mark.parametrize("rigid", [False, True])
+def test_starts_are_proved_to_lead_to_the_orbits_of_their_cells(tmp_path, rigid):
+    """And decide the label where rounding might have."""
+    plain = text('"all"') + '[output]\nfields = ["sensitivity"]\n'
+    paths = {}
+    for name, job in (("plain", plain), ("proved", plain.replace("[certificate]", "[certificate]\nstarts = true"))):
+        (tmp_path / f"{name}.toml").write_text(jobs.with_rigid_stop(job) if rigid else job)
+        finished = launch.run("run", f"{name}.toml", cwd=tmp_path, ranks=2 if name == "proved" else 1)
+        assert finished.returncode == 0, finished.stderr
+        paths[name] = read(tmp_path / f"{name}.h5")
+    without, cells = paths["plain"], paths["proved"]
+    changed = {name for name in without if not name.startswith(("summary", "tiles")) and without[name].tobytes() != cells[name].tobytes()}
+    assert changed <= {"certified", "status"} and "certified" in changed
+    proved, start = cells["certified"] >= ORBIT, cells["certified"] == START
+    assert np.array_equal(proved, without["certified"] >= ORBIT) and np.all(start[without["certified"] == START])
+    periodic = proved & (cells["regime"] == 1) & (cells["sensitivity"] < 20)
+    assert np.count_nonzero(periodic) > 100 and np.count_nonzero(start & periodic) > 0.95 * np.count_nonzero(periodic)
+    said = f"{np.count_nonzero(proved):,} ({100 * np.count_nonzero(proved) / np.count_nonzero(cells['certified']):.1f} %), in {np.count_nonzero(start):,} that the start leads there, too"
+    assert said in finished.stdout, finished.stdout
+    assert not np.any(cells["status"][start] == ROUNDING)
+
+
+def test_starts_of_a_basin_are_proved_to_lead_to_its_attractors(tmp_path):
+    jobs.write(tmp_path, jobs.small_basin() + '[certificate]\ncells = "all"\nstarts = true\n')
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    cells = read(tmp_path / "job.h5")
+    start = cells["certified"] == START
+    assert np.count_nonzero(start) > 0.9 * np.count_nonzero(cells["certified"] >= ORBIT)
+    assert len(np.unique(cells["attractor"][start])) > 1

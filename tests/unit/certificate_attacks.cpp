@@ -27,20 +27,13 @@ namespace {
 using cell::Certified;
 using testing::claim_of;
 using testing::SolvedPlace;
+using testing::Stop;
+using testing::stops;
 
 int grid() {
     const char* asked = std::getenv("PETERKA_ATTACKED_GRID");
     return asked == nullptr ? 30 : std::stoi(asked);
 }
-
-struct Stop {
-    std::string name;
-    job::Contact law;
-};
-const std::vector<Stop> stops{{"KelvinVoigt", testing::job_170mm(0).contact},
-                              {"Rigid0", job::Restitution{0}},
-                              {"Rigid032", job::Restitution{0.32}},
-                              {"Rigid08", job::Restitution{0.8}}};
 
 class CertificateAttacks : public ::testing::TestWithParam<Stop> {
   protected:

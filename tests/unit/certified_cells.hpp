@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "certificate/certify.hpp"
@@ -14,6 +15,15 @@ struct SolvedPlace {
     job::CellNumbers numbers;
     regime::CellResult cell;
 };
+
+struct Stop {
+    std::string name;
+    job::Contact law;
+};
+inline const std::vector<Stop> stops{{"KelvinVoigt", job_170mm(0).contact},
+                                     {"Rigid0", job::Restitution{0}},
+                                     {"Rigid032", job::Restitution{0.32}},
+                                     {"Rigid08", job::Restitution{0.8}}};
 
 inline certificate::Claim claim_of(const regime::CellResult& cell) {
     return {cell.regime, {cell.impacts, cell.period, cell.orbit_displacement, cell.orbit_velocity}};

@@ -102,6 +102,7 @@ const std::map<std::string, std::string> other_values{
     {"output.fields", "[\"lyapunov\"]"},
     {"audit.cells", "151"},
     {"certificate.cells", "12"},
+    {"certificate.starts", "true"},
     {"refine.levels", "3"},
     {"starts.count", "66"},
     {"starts.displacement_ratio", "[-4.5, 0.25]"},

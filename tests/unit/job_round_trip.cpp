@@ -61,6 +61,7 @@ class RandomJobs {
         job.output.anonymous = coin();
         job.audit.cells = integer(0, 1'000'000);
         job.certificate.cells = coin() ? every_cell : integer(0, every_cell);
+        job.certificate.starts = coin();
         job.limits.failed_cells = integer(0, std::numeric_limits<std::int64_t>::max());
         return job;
     }

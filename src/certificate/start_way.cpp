@@ -1,0 +1,116 @@
+#include "certificate/start_way.hpp"
+
+#include <cmath>
+
+#include "certificate/find_chain.hpp"
+
+namespace peterka::certificate {
+namespace {
+
+constexpr int most_events_of_a_way = 5000;
+constexpr double cycles_without_event = 60;
+constexpr double smallest_change = 1e-10;  // of a way that has not yet settled
+
+// Counted from `near`: its cycle, and a time within half a cycle from there.
+void sort_around(Event& event, double near, double period) {
+    event.cycle = static_cast<std::int64_t>(std::floor((event.time - near) / period + 0.5));
+    event.time -= static_cast<double>(event.cycle) * period;
+}
+
+// Whether a way comes back to where it was at the last power of two (R. P. Brent, BIT 20, 1980): then it never
+// leads elsewhere.
+class Repeats {
+  public:
+    explicit Repeats(double distance) : distance_(distance) {}
+    [[nodiscard]] bool now(const Event& event) {
+        const double change = std::hypot(event.time - before_.time, event.along - before_.along);
+        const bool again = events_ > 0 && event.kind == before_.kind && change < distance_;
+        ++events_;
+        if ((events_ & (events_ - 1)) == 0) before_ = event;
+        return again;
+    }
+
+  private:
+    double distance_;
+    Event before_;
+    unsigned events_ = 0;
+};
+
+}  // namespace
+
+StartWay::StartWay(const Springs<Interval>& springs, const Springs<double>& approximate,
+                   const Vector<Interval>& start)
+    : springs_(&springs),
+      approximate_(&approximate),
+      start_(start),
+      presses_(!springs.rig.rigid && start.position.positive() && springs.force(start).positive()) {}
+
+StartWay::Step StartWay::go_on(double near) {
+    const double period = approximate_->rig.period;
+    Walk walk = at_ ? Walk::after(*approximate_, at_->event)
+                    : Walk(*approximate_, 0, {start_.position.middle(), start_.velocity.middle()});
+    Event next;
+    if (walk.go_on(walk.time() + cycles_without_event * period, next) != Walk::End::event)
+        return Step::no_event;
+    sort_around(next, near, period);
+    if (!at_) {
+        at_ = pass_from_start(*springs_, presses_, start_, next);
+    } else {
+        const std::optional<Passage> passage = pass(*springs_, *approximate_, *at_, next);
+        at_ = passage ? std::optional(passage->end) : std::nullopt;
+    }
+    if (!at_) return Step::lost;
+    if (springs_->lift_off.positive()) rest_if_proved();
+    return Step::proved;
+}
+
+void StartWay::rest_if_proved() {
+    if (at_->event.kind != EventKind::bounce) return;
+    const Place<Interval> impact = at_->hull();
+    const double period = approximate_->rig.period;
+    const double cycles = std::ceil((impact.time.hi - approximate_->lift_off) / period);
+    const Interval left = springs_->lift_off + Interval(cycles) * springs_->rig.period - impact.time;
+    if (speed_before_rest(*springs_, impact, left))
+        at_ = patch_of(EventKind::lift_off, {springs_->lift_off, Interval(0)});
+}
+
+Leg<Interval> StartWay::leg(bool presses) const {
+    if (!at_) return {springs_->phase(presses), Interval(0), start_};
+    const Place<Interval> place = at_->hull();
+    return {springs_->phase(presses), place.time, scaled(springs_->leaving(at_->event.kind), place.along)};
+}
+
+bool leads_to_orbit(StartWay way, const Trap& trap) {
+    Repeats repeats(1e-3 * trap.radius);
+    for (int events = 0; events < most_events_of_a_way; ++events) {
+        if (way.go_on(trap.event.time) != StartWay::Step::proved) return false;
+        if (trap.holds(*way.at())) return true;
+        if (repeats.now(way.at()->event)) return false;
+    }
+    return false;
+}
+
+bool leads_to_rest(StartWay way) {
+    Repeats repeats(smallest_change);
+    for (int events = 0; events < most_events_of_a_way; ++events) {
+        if (way.go_on(0) != StartWay::Step::proved) return false;
+        if (way.at()->event.kind == EventKind::lift_off) return true;
+        if (repeats.now(way.at()->event)) return false;
+    }
+    return false;
+}
+
+bool leads_to_steady(const Springs<Interval>& springs, StartWay way, bool presses, const SteadyMotion& motion) {
+    Repeats repeats(smallest_change);
+    for (int events = 0; events < most_events_of_a_way; ++events) {
+        const StartWay::Step step = way.go_on(0);
+        if (step == StartWay::Step::lost) return false;
+        if (step == StartWay::Step::proved && repeats.now(way.at()->event)) return false;
+        if (step == StartWay::Step::proved) continue;
+        const auto from = way.at() ? std::optional(way.at()->event.kind) : std::nullopt;
+        return keeps_to_phase(springs, presses, motion, way.leg(presses), from);
+    }
+    return false;
+}
+
+}  // namespace peterka::certificate

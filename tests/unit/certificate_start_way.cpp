@@ -1,0 +1,311 @@
+// Proofs that a start leads to an orbit: against motions followed one by one, in doubles, and against the
+// engine where starts of one cell end on different orbits.
+#include "certificate/start_way.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "certificate/certify.hpp"
+#include "certificate/find_chain.hpp"
+#include "certificate/leg_proof.hpp"
+#include "certificate/orbit_box.hpp"
+#include "certified_cells.hpp"
+
+namespace peterka::certificate {
+namespace {
+
+using cell::Certified;
+using testing::claim_of;
+using testing::SolvedPlace;
+using testing::Stop;
+using testing::stops;
+
+constexpr double rounding_decides = 20;  // sensitivity, from where a start's label may depend on rounding
+
+class StartsOf : public ::testing::TestWithParam<Stop> {};
+INSTANTIATE_TEST_SUITE_P(Stops, StartsOf, ::testing::ValuesIn(stops),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_P(StartsOf, NearlyAllCellsAreProvedToLeadToTheirOrbits) {
+    for (const auto regime : {cell::Regime::periodic, cell::Regime::no_impact}) {
+        int cells = 0;
+        int proved = 0;
+        for (const SolvedPlace& place : testing::cells_of(regime, 16, GetParam().law)) {
+            if (place.cell.sensitivity > rounding_decides) continue;
+            const Claim claim = claim_of(place.cell);
+            const Certified verdict = certify(place.numbers, claim, OfStart::through_impacts).verdict;
+            if (verdict < Certified::not_tried) continue;
+            ++cells;
+            proved += verdict == Certified::start ? 1 : 0;
+        }
+        EXPECT_GT(cells, 60);
+        EXPECT_GT(proved, 0.95 * cells);
+    }
+}
+
+bool same_motion(const cell::CellResult& a, const cell::CellResult& b) {
+    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period &&
+           (std::abs(a.peak_force - b.peak_force) < 1e-6 * a.peak_force || !(a.peak_force > 0)) &&
+           (std::abs(a.impact_speed - b.impact_speed) < 1e-6 * a.impact_speed || !(a.impact_speed > 0));
+}
+
+// Both orbits exist and are proved; the start decides.
+TEST_P(StartsOf, AStartThatEndsElsewhereIsNotProvedToLeadThere) {
+    std::mt19937_64 random(12);
+    std::uniform_real_distribution<double> displacement(-3, 1);
+    std::uniform_real_distribution<double> velocity(-4, 4);
+    int elsewhere = 0;
+    int here = 0;
+    int proved = 0;
+    for (int row = 0; row < 10; ++row) {
+        for (int column = 0; column < 10; ++column) {
+            job::CellNumbers numbers = testing::numbers_170mm(0.61 + 3.8 * column / 10, 0.4 + 4.0 * row / 10);
+            numbers.contact = GetParam().law;
+            const SolvedPlace first = testing::solved(numbers);
+            for (int starts = 0; starts < 2; ++starts) {
+                const double x = displacement(random);
+                const double v = velocity(random);
+                const SolvedPlace other = testing::solved(numbers, x, v);
+                numbers.start = {};
+                numbers.start.displacement_ratio = x;
+                numbers.start.velocity_ratio = v;
+                if (other.cell.sensitivity > rounding_decides) continue;
+                const Certified verdict =
+                    certify(numbers, claim_of(first.cell), OfStart::through_impacts).verdict;
+                if (verdict <= Certified::not_tried) continue;
+                if (!same_motion(first.cell, other.cell)) {
+                    ++elsewhere;
+                    EXPECT_EQ(verdict, Certified::orbit)
+                        << numbers.frequency_ratio() << ' ' << numbers.gap_ratio() << ' ' << x << ' ' << v;
+                } else {
+                    ++here;
+                    proved += verdict == Certified::start ? 1 : 0;
+                }
+            }
+        }
+    }
+    EXPECT_GT(elsewhere, 15);
+    EXPECT_GT(here, 60);
+    EXPECT_GT(proved, 0.95 * here);
+}
+
+struct ProvedOrbit {
+    Springs<Interval> springs;
+    Springs<double> approximate;
+    EventChain chain;
+    std::vector<Place<Interval>> places;
+};
+
+// Those of a stop that have a chain of impacts.
+std::vector<ProvedOrbit> proved_orbits(const job::Contact& law) {
+    std::vector<ProvedOrbit> orbits;
+    for (const SolvedPlace& place : testing::cells_of(cell::Regime::periodic, 10, law)) {
+        const Rig rig = rig_of(place.numbers).value();
+        ProvedOrbit orbit{Springs<Interval>(rig), Springs<double>(middle(rig)), {}, {}};
+        const auto chain = find_chain(orbit.approximate, claim_of(place.cell).orbit);
+        if (!chain) continue;
+        const auto places = orbit_box(orbit.springs, orbit.approximate, *chain);
+        if (!places) continue;
+        orbit.chain = *chain;
+        orbit.places = *places;
+        orbits.push_back(orbit);
+    }
+    return orbits;
+}
+
+// One event later, in doubles, which has to be of this kind.
+Place<double> next_event(const Springs<double>& springs, Event from, const Place<double>& place,
+                         const Event& expected) {
+    from.time = place.time;
+    from.along = place.along;
+    Walk walk = Walk::after(springs, from);
+    Event next;
+    EXPECT_EQ(walk.go_on(place.time + 1e4, next), Walk::End::event);
+    EXPECT_EQ(next.kind, expected.kind);
+    return {next.time - static_cast<double>(expected.cycle) * springs.rig.period, next.along};
+}
+
+Place<double> at(const Patch& patch, double first, double second) {
+    const double r = first * patch.spread.position.size();
+    const double s = second * patch.spread.velocity.size();
+    return {patch.event.time + patch.frame.a.middle() * r + patch.frame.b.middle() * s,
+            patch.event.along + patch.frame.c.middle() * r + patch.frame.d.middle() * s};
+}
+
+TEST_P(StartsOf, ASetContainsAllThatItsPlacesLeadTo) {
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> part(-1, 1);
+    int passages = 0;
+    double widest = 0;
+    for (const ProvedOrbit& orbit : proved_orbits(GetParam().law)) {
+        for (const double radius : {0.3, 0.1, 3e-2, 1e-3, 1e-5}) {
+            Patch patch = patch_of(orbit.chain.events[0].kind, orbit.places[0]);
+            const double turn = part(random) * std::numbers::pi;
+            patch.frame = {std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn)};
+            patch.spread = {Interval(-radius, radius), Interval(-0.1 * radius, 0.1 * radius)};
+            Event to = orbit.chain.events[orbit.chain.next(0)];
+            to.cycle = orbit.chain.cycles_of_leg(0);
+            const auto passage = pass(orbit.springs, orbit.approximate, patch, to);
+            if (!passage) continue;
+            ++passages;
+            const Matrix<Interval> turned = inverse(passage->end.frame);
+            const Vector<Interval>& spread = passage->end.spread;
+            for (int samples = 0; samples < 40; ++samples) {
+                const bool corner = samples % 2 == 0;
+                const auto pick = [&] { return corner ? std::copysign(1.0, part(random)) : part(random); };
+                const auto end = next_event(orbit.approximate, patch.event, at(patch, pick(), pick()), to);
+                const Vector<Interval> away{Interval(end.time - passage->end.event.time),
+                                            Interval(end.along - passage->end.event.along)};
+                const Vector<Interval> r = turned * away;
+                const double tolerance = 1e-11;  // of the motion in doubles
+                EXPECT_GT(r.position.hi, spread.position.lo - tolerance);
+                EXPECT_LT(r.position.lo, spread.position.hi + tolerance);
+                EXPECT_GT(r.velocity.hi, spread.velocity.lo - tolerance);
+                EXPECT_LT(r.velocity.lo, spread.velocity.hi + tolerance);
+                widest = std::max(widest, std::abs(r.position.middle()) / spread.position.size());
+            }
+        }
+    }
+    EXPECT_GT(passages, 15);
+    EXPECT_GT(widest, 0.9);
+}
+
+TEST_P(StartsOf, ATrapPullsAllItsPlacesTowardsTheOrbit) {
+    std::mt19937_64 random(14);
+    std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
+    int traps = 0;
+    for (const ProvedOrbit& orbit : proved_orbits(GetParam().law)) {
+        const auto trap = find_trap(orbit.springs, orbit.approximate, orbit.chain, orbit.places);
+        if (!trap || trap->radius < 1e-7) continue;  // within the accuracy of motions in doubles
+        ++traps;
+        const Matrix<Interval> basis = inverse(trap->coordinates);
+        std::size_t first = 0;
+        while (orbit.chain.events[first].time != trap->event.time) ++first;
+        for (int samples = 0; samples < 6; ++samples) {
+            const double turn = angle(random);
+            const Vector<Interval> b{Interval(trap->radius * std::cos(turn)),
+                                     Interval(trap->radius * std::sin(turn))};
+            const Vector<Interval> away = basis * b;
+            Place<double> place{(trap->orbit.time + away.position).middle(),
+                                (trap->orbit.along + away.velocity).middle()};
+            for (std::size_t leg = 0; leg < orbit.chain.events.size(); ++leg) {
+                const std::size_t i = (first + leg) % orbit.chain.events.size();
+                Event to = orbit.chain.events[orbit.chain.next(i)];
+                to.cycle = orbit.chain.cycles_of_leg(i);
+                place = next_event(orbit.approximate, orbit.chain.events[i], place, to);
+            }
+            const Vector<Interval> back =
+                trap->coordinates * Vector<Interval>{Interval(place.time) - trap->orbit.time,
+                                                     Interval(place.along) - trap->orbit.along};
+            EXPECT_LT(std::hypot(back.position.middle(), back.velocity.middle()), trap->radius);
+        }
+        Patch patch = patch_of(trap->event.kind, trap->orbit);
+        EXPECT_TRUE(trap->holds(patch));
+        patch.event.time += 1.01 * trap->radius * Eigen::Vector2d(basis.a.lo, basis.c.lo).norm() + 1e-9;
+        patch.event.along += 3 * trap->radius + 1e-9;
+        patch.spread = {Interval(-1e-3, 1e-3), Interval(-1e-3, 1e-3)};
+        EXPECT_FALSE(trap->holds(patch));
+    }
+    EXPECT_GT(traps, 10);
+}
+
+// Of a single place nothing is known to the last digit; and dy/dx is that of differences.
+TEST_P(StartsOf, OnePlaceLeadsToAnEnclosedOneWithItsDerivative) {
+    int passages = 0;
+    for (const ProvedOrbit& orbit : proved_orbits(GetParam().law)) {
+        const Patch patch = patch_of(orbit.chain.events[0].kind, {Interval(orbit.places[0].time.middle()),
+                                                                  Interval(orbit.places[0].along.middle())});
+        Event to = orbit.chain.events[orbit.chain.next(0)];
+        to.cycle = orbit.chain.cycles_of_leg(0);
+        const auto passage = pass(orbit.springs, orbit.approximate, patch, to);
+        if (!passage) continue;
+        ++passages;
+        EXPECT_GT(passage->end.spread.position.size(), 1e-18);
+        EXPECT_GT(passage->end.spread.velocity.size(), 1e-18);
+        EXPECT_LT(passage->end.spread.position.size(), 1e-9);
+        constexpr double h = 1e-6;
+        const auto end = [&](double time, double along) {
+            return next_event(orbit.approximate, patch.event,
+                              {patch.event.time + time, patch.event.along + along}, to);
+        };
+        const auto expect = [](const Interval& derivative, double difference) {
+            EXPECT_NEAR(derivative.middle(), difference, 1e-4 * (1 + std::abs(difference)));
+        };
+        const auto later = end(h, 0);
+        const auto sooner = end(-h, 0);
+        const auto faster = end(0, h);
+        const auto slower = end(0, -h);
+        expect(passage->derivative.a, (later.time - sooner.time) / (2 * h));
+        expect(passage->derivative.c, (later.along - sooner.along) / (2 * h));
+        expect(passage->derivative.b, (faster.time - slower.time) / (2 * h));
+        expect(passage->derivative.d, (faster.along - slower.along) / (2 * h));
+    }
+    EXPECT_GT(passages, 10);
+}
+
+TEST(StartWay, TheFirstEventIsEnclosed) {
+    const Rig rig = rig_of(testing::numbers_170mm(2, 0.5)).value();
+    const Springs<Interval> springs(rig);
+    const Springs<double> approximate(middle(rig));
+    StartWay way(springs, approximate, {-rig.gap, -rig.frequency});
+    ASSERT_EQ(way.go_on(0), StartWay::Step::proved);
+    EXPECT_EQ(way.at()->event.kind, EventKind::touch);
+    EXPECT_GT(way.at()->spread.position.size(), 1e-18);
+    EXPECT_GT(way.at()->spread.velocity.size(), 1e-18);
+    EXPECT_LT(way.at()->spread.velocity.size(), 1e-12);
+}
+
+TEST(Trap, HoldsWhatLiesInItsDiscAlone) {
+    const Trap trap{{EventKind::touch, 0, 2, 3},
+                    {Interval(2), Interval(3)},
+                    {Interval(0.5), Interval(0), Interval(0), Interval(1)},
+                    1};
+    const auto holds = [&](EventKind kind, double time, double along, double spread) {
+        Patch patch = patch_of(kind, {Interval(time), Interval(along)});
+        patch.spread = {Interval(-spread, spread), Interval(-spread, spread)};
+        return trap.holds(patch);
+    };
+    EXPECT_TRUE(holds(EventKind::touch, 3.8, 3, 0.1));
+    EXPECT_FALSE(holds(EventKind::release, 3.8, 3, 0.1));
+    EXPECT_FALSE(holds(EventKind::touch, 3.8, 3, 0.3));
+    EXPECT_FALSE(holds(EventKind::touch, 4.1, 3, 0));
+    EXPECT_TRUE(holds(EventKind::touch, 2, 3.95, 0.01));
+    EXPECT_FALSE(holds(EventKind::touch, 2, 3.95, 0.1));
+    EXPECT_FALSE(holds(EventKind::touch, 3.5, 3.7, 0.01));  // outside the disc, within the square around it
+}
+
+// Of an orbit that loses stability, no neighbourhood is a trap.
+TEST(Trap, AnUnstableOrbitHasNone) {
+    int tried = 0;
+    for (const ProvedOrbit& orbit : proved_orbits(stops[0].law)) {
+        EventChain half = orbit.chain;
+        if (half.period % 2 != 0 || half.events.size() % 2 != 0) continue;
+        half.period /= 2;
+        half.events.resize(half.events.size() / 2);
+        for (Event& event : half.events) event.cycle %= half.period;
+        if (!refine(orbit.approximate, half)) continue;
+        const auto places = orbit_box(orbit.springs, orbit.approximate, half);
+        if (!places) continue;
+        ++tried;
+        EXPECT_FALSE(find_trap(orbit.springs, orbit.approximate, half, *places).has_value());
+    }
+    EXPECT_GT(tried, 1);
+}
+
+// On the surface of a stop whose dashpot is strong, with a velocity that hardly exceeds the cart's: the force
+// is positive at once, though it falls.
+TEST(March, AStartThatTouchesAtOnceDoesNotLeave) {
+    const Rig rig = rig_of(testing::numbers_170mm(3, 3)).value();
+    const Springs<Interval> springs(rig);
+    for (const double velocity : {1e-3, 1e-9, -1e-9, -1e-3}) {
+        const Leg<Interval> leg(springs.phase(false), Interval(0), {Interval(0), Interval(velocity)});
+        EXPECT_EQ(March(springs, leg, false).begin(std::nullopt, 1e-3), velocity < 0) << velocity;
+    }
+}
+
+}  // namespace
+}  // namespace peterka::certificate
