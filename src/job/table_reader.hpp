@@ -2,6 +2,7 @@
 // every fault is added to the list and reading goes on with the default.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -33,6 +34,11 @@ class TableReader {
     // Lists of at least one number; a given list replaces the default.
     void numbers(const Key& key, std::vector<double>& values, const Range<double>& range);
     void integers(const Key& key, std::vector<std::int64_t>& values, const Range<std::int64_t>& range);
+    // Words that name what only a rule can tell.
+    void words(const Key& key, std::vector<std::string>& values);
+    // A list of lists.
+    void rows(const Key& key, std::vector<std::vector<double>>& values, const Range<double>& range);
+    void optional_number(const Key& key, std::optional<double>& value, const Range<double>& range);
     void text(const Key& key, std::string& value);
     void flag(const Key& key, bool& value);
     void either(const Alternative& first, const Alternative& second, std::string_view why);
@@ -86,6 +92,9 @@ class TableReader {
 
     // A table or key that other jobs have and this one cannot; `text` says why and what to do.
     void refuse(std::string_view name, std::string_view text);
+
+    // Of the whole document, so far.
+    [[nodiscard]] std::size_t count_faults() const { return faults_.size(); }
 
     // Known, but not read, because what they depend on is faulty.
     void skip(std::initializer_list<std::string_view> names);
