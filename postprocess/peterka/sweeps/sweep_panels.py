@@ -121,7 +121,8 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
     ax.set_ylim(bottom, bottom * (top / bottom) ** (1 / (1 - head)) if logarithmic else bottom + (top - bottom) / (1 - head))
     for line, first, frequency, height, text, colour in placed:
         foot = 1 - 0.02 - ROW * (line + 1)
-        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=NOTE_LETTERS, color=colour,
+        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=NOTE_LETTERS,
+                    color="black" if style.is_grey() else colour,  # that of a branch would be pale there
                     path_effects=axes.outline(2), zorder=8)
         ax.plot([frequency, frequency], [height, _at_share(ax, foot)], color=colour, linewidth=0.5, zorder=1.5)
 
