@@ -37,6 +37,7 @@ from pathlib import Path
 
 from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
+from ..files.nearest import did_you_mean
 from ..files.opened import OpenedFile
 from ..plotting import axes
 from ..plotting.figures import figure_of
@@ -153,7 +154,8 @@ def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]
     """The pictures of these names; all of them where none is named. A part of a file, as of --zoom, may give fewer."""
     unknown = [name for name in names if name not in pictures]
     if unknown:
-        raise file.refusal(f"gives no picture {', '.join(unknown)}{' with --zoom' * is_part}; it gives {', '.join(pictures)}")
+        asked = ", ".join(name + did_you_mean(name, pictures) for name in unknown)
+        raise file.refusal(f"gives no picture {asked}{' with --zoom' * is_part}; it gives {', '.join(pictures)}")
     return {name: draw for name, draw in pictures.items() if name in names or not names}
 
 
