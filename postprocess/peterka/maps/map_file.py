@@ -47,7 +47,7 @@ SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_p
          "attractor_peak_force_ratio": REAL, "basin_share": REAL}
 # Optional: for the attractors, or for the cells of a map without [starts].
 KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
-PROVED_BOUNDS = {"impact_speed_lower", "impact_speed_upper"}  # told beside impact_speed, no pictures of their own
+BOUNDS = {"impact_speed_lower", "impact_speed_upper", "critical_kick_lower"}  # told beside what they bound, no pictures of their own
 MAX_SLOTS = 64
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits into some tens of megabytes
 BAND_CELLS = 2**21
@@ -127,7 +127,7 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
-        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys() | PROVED_BOUNDS
+        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys() | BOUNDS
                             and self._is_quantity(name)]
         self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
         for name in self.numbers:
