@@ -166,10 +166,11 @@ def _value(job, key):
 
 def _moves(codes_a, codes_b):
     pairs, counts = np.unique(np.stack([codes_a, codes_b]), axis=1, return_counts=True)
-    return Counter({(_name(a), _name(b)): int(count) for (a, b), count in zip(pairs.T, counts)})
+    return Counter({(name_of_code(a), name_of_code(b)): int(count) for (a, b), count in zip(pairs.T, counts)})
 
 
-def _name(code):
+def name_of_code(code: int) -> str:
+    """The label of a code of label_codes in words: p/q, or the regime."""
     if code < _ORBIT:
         return class_of(code, 0, 0).label
     return f"{(code - _ORBIT) >> 32}/{(code - _ORBIT) & 0xFFFFFFFF}"

@@ -12,7 +12,7 @@ from ..files.regimes import NAMES, NO_IMPACT, NOT_COMPUTED, PERIODIC
 from ..maps.map_file import PeterkaFile
 from ..sampling import draws_needed, least_share, share_excluded
 from .drift import Reach
-from .places import Place
+from .places import Place, box_of
 
 USUAL = (0.05, 0.01)  # shares, for comparison
 CLOSED_FORM = "a motion without impact"
@@ -73,14 +73,13 @@ def may_stay_free(file: PeterkaFile, rows: Reach, columns: Reach) -> Mask:
 
 def left_out(file: PeterkaFile, place: Place, rows: Reach, columns: Reach) -> list[LeftOut]:
     """Motions other than a place's own that are known in the cells of its box, those with the largest shares first."""
-    box = (slice(place.row - rows.before[place.row], place.row + rows.after[place.row] + 1),
-           slice(place.column - columns.before[place.column], place.column + columns.after[place.column] + 1))
+    box = box_of(place, rows, columns)
     regime, impacts, period, share = (file.data.values(name, (slice(None), box[0]))[:, :, box[1]] for name in
                                       ("attractor_regime", "attractor_impacts", "attractor_period", "basin_share"))
     names = np.where(regime == PERIODIC, np.char.add(np.char.add(impacts.astype(str), "/"), period.astype(str)),
                      np.array(NAMES)[np.clip(regime, 0, len(NAMES) - 1)])
     names[regime == NOT_COMPUTED] = ""
-    own = f"{place.orbit[0]}/{place.orbit[1]}"
+    own = place.z
     found = [LeftOut(str(name), int((names == name).any(axis=0).sum()), float(np.where(names == name, share, 0).sum(axis=0).max()))
              for name in np.unique(names) if name not in ("", own)]
     return sorted(found, key=lambda one: (-one.share, -one.cells, one.name))
