@@ -194,6 +194,17 @@ def test_a_part_and_an_unfinished_map_are_drawn(tmp_path, draw):
     assert part.code == 0
 
 
+def test_quantiles_are_exported_in_newtons_and_outcomes_are_left_to_other_readers(tmp_path, run_program):
+    path = write_uncertain(tmp_path / "a.h5")
+    code, told, _ = run_program("export", path, "--as", "csv", "--output-dir", tmp_path)
+    head, first = (line.split(",") for line in (tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()[:2])
+    assert code == 0 and float(dict(zip(head, first))["force_q05_n"]) == pytest.approx(0.298 * 9.80665 * forces(ROWS, COLUMNS)[0, 0, 0])
+    assert "left out: outcome_impacts, outcome_period, outcome_probability, outcome_regime; xarray" in told
+    path = write_uncertain(tmp_path / "b.h5", names=("speed_q05", "speed_q50", "speed_q95"))
+    assert run_program("export", path, "--as", "csv", "--output-dir", tmp_path)[0] == 0
+    assert "speed_q95_m_s" in (tmp_path / "b.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
+
+
 @pytest.mark.parametrize("name, change, reason", [
     ("outcome_probability", lambda values: values + 1, "no probability"), ("outcome_regime", lambda values: values * 0 + 9, "regime 9"),
     ("outcome_period", lambda values: values[:, 1:], "outcome_period of shape"), ("force_q05_ratio", lambda values: values[1:], "shape")])
