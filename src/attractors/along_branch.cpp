@@ -58,6 +58,11 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
     return regime::same_attractor(result, search.result()) ? motion : SteadyMotion(room);
 }
 
+void tell_outcomes(PointAttractors& point, SolvedCell& solved) {
+    point.of_rigs = solved.cell;
+    point.outcomes = std::move(solved.outcomes);
+}
+
 void append(PointAttractors& point, const regime::CellResult& result, SteadyMotion motion) {
     point.kept.push_back(without_share(result));
     point.firsts.push_back({result, Tally::no_start});
@@ -104,6 +109,7 @@ std::vector<PointAttractors> find_along_branch(const scene::Scene& scene, std::i
         const scene::Cell cell = scene.cell(row, std::ssize(points));
         PointAttractors& point =
             points.emplace_back(PointAttractors{.count = solved.cell.attractors, .gap = cell.oscillator.gap});
+        tell_outcomes(point, solved);
         point.kept = std::move(solved.attractors);
         point.firsts = std::move(solved.firsts);
         for (const FirstEnd& first : point.firsts) point.motions.push_back(motion_of(job, cell, first, look));
@@ -113,6 +119,13 @@ std::vector<PointAttractors> find_along_branch(const scene::Scene& scene, std::i
         append(points[static_cast<std::size_t>(column)], result,
                motion_of(job, scene.cell(row, column), {result, Tally::no_start}, look));
     }
+    return points;
+}
+
+std::vector<PointAttractors> find_outcomes_along_branch(const scene::Scene& scene, std::int64_t row,
+                                                        const std::function<void()>& look) {
+    std::vector<PointAttractors> points;
+    for (SolvedCell& solved : solve_row(scene, row, look)) tell_outcomes(points.emplace_back(), solved);
     return points;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "attractors/continued_motion.hpp"
+#include "attractors/drawn_cells.hpp"
 #include "attractors/start_sequence.hpp"
 #include "regime/same_orbit.hpp"
 #include "regime/solve_cell.hpp"
@@ -35,6 +36,13 @@ job::Job of_starts(job::Job job) {
     return job;
 }
 
+// A rigid stop has no peak force: the largest impact speed takes its place.
+job::Job of_rigs(job::Job job) {
+    job.output.fields.clear();
+    if (is_rigid(job.contact)) job.output.fields.push_back(job::OptionalField::impact_speed);
+    return job;
+}
+
 Task<SearchOutcome> find_orbit(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                FoundAttractor found) {
     SearchOutcome learned;
@@ -55,12 +63,16 @@ MapContext::MapContext(const scene::Scene& map, const regime::AttractorTable& kn
       known(known_before),
       of_starts(attractors::of_starts(map.job())),
       of_short_starts(of_starts),
+      of_rigs(attractors::of_rigs(map.job())),
       ends(ends_of_starts) {
     of_short_starts.steady_state = Prospects::smaller(of_starts.steady_state);
+    if (map.job().uncertainty.rigs > 0) uncertain.emplace(map.job());
 }
 
 MultiStartCell::MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column)
     : context_(context),
+      row_(row),
+      column_(column),
       cell_(context.scene.cell(row, column)),
       chaos_may_end_(cell_.oscillator.gap < 0 || may_stay_free(cell_.oscillator)) {}
 
@@ -80,6 +92,13 @@ Task<SolvedCell> MultiStartCell::solve(SearchBroker& broker) {
             ended = co_await broker.searches(std::move(searches));
         }
         tell_kicks(kicks);
+    }
+    if (context_.uncertain) {
+        DrawnRigs rigs = drawn_rigs();
+        const regime::Rigs whose =
+            context_.uncertain->rigs_differ() ? regime::Rigs::of_each : regime::Rigs::of_scene;
+        const auto ended = co_await broker.searches(std::move(rigs.searches), whose);
+        tell_outcomes(rigs, ended);
     }
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     solved_.cell.cycles = static_cast<std::int32_t>(std::min(broker.cycles(), most));
@@ -237,6 +256,35 @@ void MultiStartCell::tell_kicks(Kicks& kicks) {
     for (std::size_t slot = 0; slot < solved_.attractors.size(); ++slot) {
         solved_.attractors[slot].kick = kicks.smallest(slot);
     }
+}
+
+// Where the cell's own motion ends without impact, most others do at once.
+MultiStartCell::DrawnRigs MultiStartCell::drawn_rigs() const {
+    DrawnRigs rigs;
+    const job::Job& job = context_.of_rigs;
+    const DrawnCells cells(*context_.uncertain, job, row_, column_, cell_.scales);
+    const bool is_free = solved_.cell.regime == regime::Regime::no_impact;
+    for (std::int64_t n = 0; n < cells.count(); ++n) {
+        const scene::Cell drawn = cells.cell(n);
+        rigs.scales.push_back(drawn.scales);
+        rigs.ends.push_back(is_free ? regime::solve_at_once(job, drawn) : std::nullopt);
+        if (rigs.ends.back()) continue;
+        rigs.searches.emplace_back([&job, drawn](CycleBroker& broker) {
+            return regime::outcome_of(regime::solve_cell(broker, job, drawn));
+        });
+    }
+    return rigs;
+}
+
+void MultiStartCell::tell_outcomes(const DrawnRigs& rigs, const std::vector<SearchOutcome>& ended) {
+    Outcomes outcomes(cell_);
+    auto searched = ended.begin();
+    for (std::size_t n = 0; n < rigs.ends.size(); ++n) {
+        const regime::CellResult& end = rigs.ends[n] ? *rigs.ends[n] : (searched++)->result;
+        outcomes.add(end, rigs.scales[n]);
+        if (context_.ends == Ends::told) solved_.ends_of_rigs.push_back(end);
+    }
+    outcomes.tell(solved_);
 }
 
 scene::Oscillator<double> MultiStartCell::oscillator_of(const FoundAttractor& found) const {

@@ -1,5 +1,5 @@
-// One cell of a map: its start and, where the job has [starts], all of these, in rounds; and, if requested, the
-// kicks of the attractors on which they end.
+// One cell of a map: its start and, where the job has [starts], all of these, in rounds; if requested, the
+// kicks of the attractors on which they end; and, where the job has [uncertainty], the ends of the rigs drawn.
 //
 // The searches of a round know the attractors found in previous rounds: they end once they are seen to converge
 // to a known orbit (regime/known_orbit.hpp) or, where starts are many, once inside its proven neighbourhood
@@ -8,17 +8,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "attractors/kicks.hpp"
 #include "attractors/mean_life.hpp"
+#include "attractors/outcomes.hpp"
 #include "attractors/prospects.hpp"
 #include "attractors/search_broker.hpp"
 #include "attractors/solved_cell.hpp"
 #include "attractors/tally.hpp"
 #include "regime/attractor_table.hpp"
 #include "scene/scene.hpp"
+#include "scene/uncertain_cells.hpp"
 #include "support/task.hpp"
 
 namespace peterka::attractors {
@@ -32,9 +35,11 @@ struct MapContext {
     MapContext(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts);
 
     const scene::Scene& scene;
-    const regime::AttractorTable& known;  // for [start]: empty except in a basin
-    job::Job of_starts;                   // measures only what is kept for attractors
-    job::Job of_short_starts;             // the same, with a smaller budget
+    const regime::AttractorTable& known;             // for [start]: empty except in a basin
+    job::Job of_starts;                              // measures only what is kept for attractors
+    job::Job of_short_starts;                        // the same, with a smaller budget
+    std::optional<scene::UncertainCells> uncertain;  // of a job with [uncertainty]
+    job::Job of_rigs;                                // what is measured of their ends
     Ends ends;
 };
 
@@ -46,6 +51,12 @@ class MultiStartCell {
     [[nodiscard]] Task<SolvedCell> solve(SearchBroker& broker);
 
   private:
+    // The searches of the drawn rigs that need one, and the ends of those that don't.
+    struct DrawnRigs {
+        std::vector<scene::Scales> scales;  // of each draw
+        std::vector<std::optional<regime::CellResult>> ends;
+        std::vector<SearchFactory> searches;  // of draws without an end, in their order
+    };
     // An attractor on one map, and how often it was found.
     struct CountedAttractor {
         regime::FoundAttractor found;
@@ -69,11 +80,15 @@ class MultiStartCell {
     void take_found(std::span<const regime::FoundAttractor> found);
     [[nodiscard]] Kicks kicks() const;
     void tell_kicks(Kicks& kicks);
+    [[nodiscard]] DrawnRigs drawn_rigs() const;
+    void tell_outcomes(const DrawnRigs& rigs, const std::vector<SearchOutcome>& ended);
     [[nodiscard]] SearchFactory search_from(const scene::State<double>& start, EarlyVerdict sooner = {}) const;
     [[nodiscard]] scene::Oscillator<double> oscillator_of(const regime::FoundAttractor& found) const;
     [[nodiscard]] std::int64_t count() const { return context_.of_starts.starts.count; }
 
     const MapContext& context_;
+    std::int64_t row_;
+    std::int64_t column_;
     scene::Cell cell_;
     std::int64_t begun_ = 0;  // starts begun
     std::int64_t seen_ = 0;

@@ -7,7 +7,8 @@ namespace peterka::attractors {
 MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
                                Ends ends)
     : context_(scene, known, ends),
-      searches_many_(scene.job().starts.count > 0 || scene.job().output.has(job::OptionalField::critical_kick)),
+      searches_many_(scene.job().starts.count > 0 || context_.uncertain ||
+                     scene.job().output.has(job::OptionalField::critical_kick)),
       take_(std::move(take)),
       pool_(
           scene, known, [this](auto& search) { keep(search); },
@@ -34,7 +35,7 @@ void MultiStartPool::fill_pool() {
     while (!waiting_.empty() && pool_.has_room()) {
         const Waiting next = std::move(waiting_.front());
         waiting_.pop_front();
-        pool_.add(next.begin, next.number);
+        pool_.add(next.begin, next.number, next.rigs);
     }
 }
 
@@ -51,7 +52,7 @@ void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
     cell.running = ordered.size();
     for (std::size_t place = 0; place < ordered.size(); ++place) {
         searches_.emplace(next_search_, std::pair(number, place));
-        waiting_.push_back({ordered[place], next_search_++});
+        waiting_.push_back({ordered[place], next_search_++, cell.broker.rigs()});
     }
 }
 

@@ -52,6 +52,7 @@ class MultiStartPool {
     struct Waiting {
         SearchFactory begin;
         std::int64_t number;
+        regime::Rigs rigs;
     };
 
     void begin_searches(std::int64_t number, Open& cell);

@@ -27,9 +27,11 @@ class SearchBroker {
     };
 
     // co_await broker.searches(ordered) gives their outcomes, in the same order; an empty order is served at
-    // once.
-    [[nodiscard]] auto searches(std::vector<SearchFactory> ordered) {
+    // once. rigs: whether they are on the cell's rig, or each on its own.
+    [[nodiscard]] auto searches(std::vector<SearchFactory> ordered,
+                                regime::Rigs rigs = regime::Rigs::of_scene) {
         ordered_ = std::move(ordered);
+        rigs_ = rigs;
         return Served{this};
     }
     // Cycles of all searches served.
@@ -37,6 +39,7 @@ class SearchBroker {
 
     // For the pool: the searches that the cell waits for.
     [[nodiscard]] const std::vector<SearchFactory>& ordered() const { return ordered_; }
+    [[nodiscard]] regime::Rigs rigs() const { return rigs_; }
     // Resumes the cell up to its next order, or to its end.
     void serve(std::vector<SearchOutcome> outcomes) {
         PETERKA_EXPECT(outcomes.size() == ordered_.size());
@@ -47,6 +50,7 @@ class SearchBroker {
 
   private:
     std::vector<SearchFactory> ordered_;
+    regime::Rigs rigs_ = regime::Rigs::of_scene;
     std::vector<SearchOutcome> outcomes_;  // of the last order
     std::int64_t cycles_ = 0;
     std::coroutine_handle<> cell_;

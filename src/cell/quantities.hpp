@@ -1,5 +1,5 @@
-// The table of a cell's quantities, followed by that of its attractors' quantities, where it has many starts.
-// Their rows determine
+// The table of a cell's quantities, followed by those of its attractors' quantities, where it has many starts,
+// and of the outcomes of the rigs drawn for it. Their rows determine
 // - which names [output] fields takes, and what `check` says of them   (job/names.hpp)
 // - what a job stores                                                 (job/stored_quantities.hpp)
 // - what is measured while a cell is solved                           (regime/solve_cell.cpp)
@@ -36,9 +36,9 @@ enum class OptionalField {
     critical_kick,
 };
 
-// The unit in the file; scene/scales.hpp converts from nondimensional numbers. A bound of a speed has its unit
-// already: a conversion would round it.
-enum class Dimension { label, number, force_over_weight, speed, bound_of_speed, impulse, time, power, length };
+// The unit in the file; scene/scales.hpp converts from nondimensional numbers. A speed_of_file has its unit
+// already: a conversion would round a bound.
+enum class Dimension { label, number, force_over_weight, speed, speed_of_file, impulse, time, power, length };
 
 constexpr const char* unit_of(Dimension dimension) {
     switch (dimension) {
@@ -48,7 +48,7 @@ constexpr const char* unit_of(Dimension dimension) {
         case Dimension::force_over_weight:
             return "1";
         case Dimension::speed:
-        case Dimension::bound_of_speed:
+        case Dimension::speed_of_file:
             return "m/s";
         case Dimension::impulse:
             return "N s";
@@ -85,6 +85,9 @@ enum class StoredWhen {
     of_rigid_stops,
     of_certificates,
     of_certificates_of_rigid_stops,
+    of_uncertain_rigs,
+    of_uncertain_rigs_with_forces,
+    of_uncertain_rigs_on_rigid_stops,
     on_request
 };
 
@@ -115,7 +118,7 @@ struct Member {
     Access<Numbers<Units::of_file>> stored;
 };
 
-// Numbers: Result or Attractor.
+// Numbers: Result, Attractor or Outcome.
 template <template <Units> class Numbers>
 struct QuantityOf {
     using Computed = Numbers<Units::nondimensional>;
@@ -141,6 +144,7 @@ struct QuantityOf {
 
 using Quantity = QuantityOf<Result>;
 using AttractorQuantity = QuantityOf<Attractor>;
+using OutcomeQuantity = QuantityOf<Outcome>;
 
 namespace table {
 
@@ -173,6 +177,11 @@ constexpr Member<Attractor> of_attractor(Pick /*pick*/) {
     return member_of<Attractor, Pick>();
 }
 
+template <class Pick>
+constexpr Member<Outcome> of_outcome(Pick /*pick*/) {
+    return member_of<Outcome, Pick>();
+}
+
 constexpr StorageRule asked_for(OptionalField field, const char* name = nullptr) {
     return {StoredWhen::on_request, field, name};
 }
@@ -184,6 +193,9 @@ inline constexpr StorageRule of_many_starts{StoredWhen::of_many_starts};
 inline constexpr StorageRule of_rigid_stops{StoredWhen::of_rigid_stops};
 inline constexpr StorageRule of_certificates{StoredWhen::of_certificates};
 inline constexpr StorageRule of_certificates_of_rigid_stops{StoredWhen::of_certificates_of_rigid_stops};
+inline constexpr StorageRule of_uncertain_rigs{StoredWhen::of_uncertain_rigs};
+inline constexpr StorageRule of_their_forces{StoredWhen::of_uncertain_rigs_with_forces};
+inline constexpr StorageRule of_their_speeds{StoredWhen::of_uncertain_rigs_on_rigid_stops};
 inline constexpr StorageRule of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
 
@@ -239,11 +251,19 @@ inline constexpr Quantity rows[] = {
     {"certified", member([](auto& cell) -> auto& { return cell.certified; }), label, "what of the cell is proved in interval arithmetic, or why nothing is (negative)", of_certificates, never, usual, {}, certified_names, 3, first_certified},
     {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, "proved lower bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
     {"peak_force_upper_ratio", member([](auto& cell) -> auto& { return cell.force_upper; }), number, "proved upper bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
-    {"impact_speed_lower", member([](auto& cell) -> auto& { return cell.impact_speed_lower; }), bound_of_speed, "proved lower bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
-    {"impact_speed_upper", member([](auto& cell) -> auto& { return cell.impact_speed_upper; }), bound_of_speed, "proved upper bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
+    {"impact_speed_lower", member([](auto& cell) -> auto& { return cell.impact_speed_lower; }), speed_of_file, "proved lower bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
+    {"impact_speed_upper", member([](auto& cell) -> auto& { return cell.impact_speed_upper; }), speed_of_file, "proved upper bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
     {"stability_margin", member([](auto& cell) -> auto& { return cell.stability_margin; }), number, "proved lower bound of min(1 - |det M|, 1 + det M - |tr M|), M being the orbit's monodromy matrix", of_certificates, never, usual, {}, {}, 3},
     {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
+    {"outcomes", member([](auto& cell) -> auto& { return cell.outcomes; }), number, "different outcomes of the rigs drawn for the cell", of_uncertain_rigs},
+    {"outcome_others", member([](auto& cell) -> auto& { return cell.outcome_others; }), number, "probability of the outcomes beyond those that are kept", of_uncertain_rigs},
+    {"force_q05_ratio", member([](auto& cell) -> auto& { return cell.drawn_q05; }), number, "5 % quantile of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0", of_their_forces, interpolated},
+    {"force_q50_ratio", member([](auto& cell) -> auto& { return cell.drawn_q50; }), number, "median of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0", of_their_forces, interpolated},
+    {"force_q95_ratio", member([](auto& cell) -> auto& { return cell.drawn_q95; }), number, "95 % quantile of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0", of_their_forces, interpolated},
+    {"speed_q05", member([](auto& cell) -> auto& { return cell.drawn_q05; }), speed_of_file, "5 % quantile of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0", of_their_speeds, interpolated},
+    {"speed_q50", member([](auto& cell) -> auto& { return cell.drawn_q50; }), speed_of_file, "median of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0", of_their_speeds, interpolated},
+    {"speed_q95", member([](auto& cell) -> auto& { return cell.drawn_q95; }), speed_of_file, "95 % quantile of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0", of_their_speeds, interpolated},
 };
 
 // A share is filled by its own rule (refine/fill_attractors.cpp).
@@ -264,12 +284,28 @@ inline constexpr AttractorQuantity attractor_rows[] = {
     {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", always, never, usual, {}, {}, 3},
     {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", always, never, usual, {}, {}, 3},
 };
+
+// A probability is filled by the rule of shares (refine/fill_attractors.cpp).
+inline constexpr OutcomeQuantity outcome_rows[] = {
+    {"outcome_regime", of_outcome([](auto& outcome) -> auto& { return outcome.regime; }), label, "regime of an outcome of the rigs drawn for the cell, the most likely first", always, as_around, usual, {}, regime_names},
+    {"outcome_impacts", of_outcome([](auto& outcome) -> auto& { return outcome.impacts; }), number, "impacts p of its z = p/q", always, as_around},
+    {"outcome_period", of_outcome([](auto& outcome) -> auto& { return outcome.period; }), number, "period q of its z = p/q in forcing cycles", always, as_around},
+    {"outcome_probability", of_outcome([](auto& outcome) -> auto& { return outcome.probability; }), number, "share of the rigs drawn for the cell that end in it"},
+};
 // clang-format on
 
 }  // namespace table
 
 inline constexpr std::span<const Quantity> quantities = table::rows;
 inline constexpr std::span<const AttractorQuantity> attractor_quantities = table::attractor_rows;
+inline constexpr std::span<const OutcomeQuantity> outcome_quantities = table::outcome_rows;
+
+// Whether a quantity tells of the rigs drawn for a cell.
+constexpr bool is_of_uncertain_rigs(const Quantity& quantity) {
+    return quantity.keeping.kept == StoredWhen::of_uncertain_rigs ||
+           quantity.keeping.kept == StoredWhen::of_uncertain_rigs_with_forces ||
+           quantity.keeping.kept == StoredWhen::of_uncertain_rigs_on_rigid_stops;
+}
 
 // Passes on the field of each quantity that is computed on request, with its name.
 template <template <Units> class Numbers, class Take>

@@ -78,6 +78,13 @@ struct Result {
     std::int32_t followed_cycles = 0;
     std::int32_t forgot_after = 0;
     Kick kick = {};  // on request, in a job without [starts]: of the orbit on which this cell ends
+    // Of the rigs drawn for the cell (attractors/outcomes.hpp); the quantiles have the file's units in both
+    // types.
+    std::int32_t outcomes = 0;   // different ones
+    double outcome_others = 0;   // probability of those beyond the ones kept
+    double drawn_q05 = unknown;  // quantiles of the peak force F/(m g0) or, on a rigid stop, of the largest
+    double drawn_q50 = unknown;  // impact speed [m/s]
+    double drawn_q95 = unknown;
     // What is proved about the cell (certificate/certify.hpp); these numbers have the file's units in both
     // types, since a bound must not be rounded again.
     Certified certified = Certified::not_tried;
@@ -107,11 +114,24 @@ struct Attractor {
     double orbit_velocity = unknown;
 };
 
+// What some of the rigs drawn for a cell end in; the same in both types.
+template <Units units>
+struct Outcome {
+    Regime regime = static_cast<Regime>(regime_not_computed);
+    std::int32_t impacts = -1;
+    std::int32_t period = -1;
+    double probability = 0;
+};
+
 // As stored in files: peak forces over the hammer's weight, F/(m g0); all others in SI.
 using CellResult = Result<Units::nondimensional>;
 using StoredCell = Result<Units::of_file>;
 using CellAttractor = Attractor<Units::nondimensional>;
 using StoredAttractor = Attractor<Units::of_file>;
+using CellOutcome = Outcome<Units::nondimensional>;
+using StoredOutcome = Outcome<Units::of_file>;
+
+inline constexpr std::int64_t kept_outcomes = 8;  // of a cell, the most likely
 
 // Whether two cells have the same label.
 template <Units a_units, Units b_units>

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "findings/outcome_findings.hpp"
 #include "findings/start_findings.hpp"
 #include "findings/transients.hpp"
 #include "parallel/tiles.hpp"
@@ -95,6 +96,7 @@ struct Statistics {
     std::map<ImpactClass, std::int64_t> periodic_cells;  // per class
     Transients transients;                               // of cells that store their last impact
     StartFindings starts;                                // of a map with [starts]
+    OutcomeFindings outcomes;                            // of a map with [uncertainty]
     double tile_seconds = 0;                             // computing time of all tiles of the file [s]
 
     [[nodiscard]] std::int64_t cells_of(regime::Regime regime) const {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <variant>
 
 #include "job/axis.hpp"
 #include "job/axis_key.hpp"
+#include "job/derived.hpp"
 #include "job/number_walker.hpp"
 #include "job/schema_rig.hpp"
 #include "job/twins.hpp"
@@ -58,18 +60,47 @@ class NumberSetter : public NumberWalker {
     double value_;
 };
 
+// Reads one number in a table, if the table has it.
+class NumberGetter : public NumberWalker {
+  public:
+    explicit NumberGetter(std::string_view name) : name_(name) {}
+
+    void number(const Key& key, double& number, const Range<double>& /*range*/) {
+        if (key.name == name_) value = number;
+    }
+    void either(const Alternative& first, const Alternative& second, std::string_view /*meaning*/) {
+        for (const Alternative& one : {first, second}) {
+            if (one.key.name == name_ && one.value) value = *one.value;
+        }
+    }
+    std::optional<double> value;
+
+  private:
+    std::string_view name_;
+};
+
 // Returns whether the job has such a table.
-bool set_in_table(CellNumbers& numbers, std::string_view table, NumberSetter setter) {
+template <typename Walker>
+bool walk(CellNumbers& numbers, std::string_view table, Walker& walker) {
     if (table == "hammer") {
-        describe(setter, numbers.hammer);
+        describe(walker, numbers.hammer);
     } else if (table == "cart") {
-        describe(setter, numbers.cart);
+        describe(walker, numbers.cart);
     } else if (table == "contact") {
-        std::visit([&](auto& stop) { describe(setter, stop); }, numbers.contact);
+        std::visit([&](auto& stop) { describe(walker, stop); }, numbers.contact);
     } else {
         return false;
     }
     return true;
+}
+
+// Of two alternative keys of the hammer, from the one that is given.
+std::optional<double> derived_number(const Hammer& hammer, std::string_view key) {
+    if (key == "hammer.natural_frequency_hz") return natural_frequency_hz(hammer);
+    if (key == "hammer.stiffness_n_per_m") return hammer.stiffness();
+    if (key == "hammer.damping_ns_per_m") return hammer.damping();
+    if (key == "hammer.damping_ratio") return derive(hammer).zeta;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -102,9 +133,23 @@ void set_number(CellNumbers& numbers, std::string_view key, double value) {
     const auto* found = std::ranges::find(named, name, &Settable::key);
     if (found != std::end(named)) return found->set(numbers, value);
     const std::size_t dot = std::min(key.find('.'), key.size() - 1);
-    if (!set_in_table(numbers, key.substr(0, dot), {key.substr(dot + 1), value}))
+    NumberSetter setter(key.substr(dot + 1), value);
+    if (!walk(numbers, key.substr(0, dot), setter))
         std::abort();  // a fault of the program: no job names such an axis (and the page's engine has no
                        // exceptions)
+}
+
+double number_of(const CellNumbers& numbers, std::string_view key) {
+    if (key == "frequency_ratio") return numbers.frequency_ratio();
+    if (key == "frequency_hz") return as_twin("frequency_ratio", numbers.frequency_ratio(), numbers);
+    if (key == "gap_ratio") return numbers.gap_ratio();
+    if (key == "gap_m") return as_twin("gap_ratio", numbers.gap_ratio(), numbers);
+    const std::size_t dot = std::min(key.find('.'), key.size() - 1);
+    NumberGetter getter(key.substr(dot + 1));
+    CellNumbers copy = numbers;
+    if (!walk(copy, key.substr(0, dot), getter)) std::abort();  // as above
+    if (getter.value) return *getter.value;
+    return derived_number(numbers.hammer, key).value();
 }
 
 CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column) {

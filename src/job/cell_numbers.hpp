@@ -1,4 +1,4 @@
-// The numbers of a job that may differ from cell to cell, and setting one of them by its axis name.
+// The numbers of a job that may differ from cell to cell, and one of them by its axis name.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,9 @@ struct CellNumbers {
 // `key`: one listed in axis_quantity.hpp, for the stop's own law. It replaces an alternative key of which only
 // one may be given: a frequency in Hz replaces a ratio.
 void set_number(CellNumbers& numbers, std::string_view key, double value);
+
+// The value of such a key, derived where its alternative is given.
+[[nodiscard]] double number_of(const CellNumbers& numbers, std::string_view key);
 
 // Like numbers_in, with the values of the job's axes, or of its branch, at this cell.
 [[nodiscard]] CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column);

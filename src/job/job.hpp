@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cell/quantities.hpp"
+#include "job/uncertainty.hpp"
 
 namespace peterka::job {
 
@@ -287,6 +288,7 @@ struct Job {
     Certificate certificate;  // map, basin and sweep
     Refine refine;            // map only
     Starts starts;            // map or sweep
+    Uncertainty uncertainty;  // map or sweep
     Sweep sweep;              // sweep only
     Study study;              // study only
     Trace trace;              // trace only

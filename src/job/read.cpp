@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/covariance_file.hpp"
 #include "job/document.hpp"
 #include "job/job_source.hpp"
 #include "job/overrides.hpp"
@@ -13,9 +14,23 @@
 namespace peterka::job {
 namespace {
 
-enum class RigFiles { followed, refused };
+enum class OtherFiles { followed, refused };
 
-bool has_no_rig_file(const Value& document, std::vector<Fault>& faults) {
+// Both are read, so that the faults of both are told.
+bool bring_in_files(Value& document, const std::string& name, std::vector<std::string>& files,
+                    std::vector<Fault>& faults) {
+    const bool has_rig = bring_in_rigs(document, name, files, faults);
+    return bring_in_covariance(document, name, files, faults) && has_rig;
+}
+
+bool has_no_other_file(const Value& document, std::vector<Fault>& faults) {
+    if (const Value* covariance = named_covariance(document)) {
+        faults.push_back(
+            {covariance->where,
+             "uncertainty.file names a file, and this text is none, from whose folder it could be "
+             "looked for; write the job to a file, or the covariance under [uncertainty.covariance]"});
+        return false;
+    }
     const Value* rig = document.as<Table>()->find("rig");
     if (rig == nullptr) return true;
     faults.push_back({rig->where,
@@ -26,16 +41,16 @@ bool has_no_rig_file(const Value& document, std::vector<Fault>& faults) {
 }
 
 JobWithOrigins read(std::string_view text, const std::string& name, std::span<const std::string> overrides,
-                    RigFiles rigs) {
+                    OtherFiles others) {
     refuse_what_is_no_text(text, name);
     Value document = parse_document(text, name);
     std::vector<Fault> faults;
     apply_overrides(document, overrides, faults);
     std::vector<std::string> files{name};
-    const bool has_rig = rigs == RigFiles::followed ? bring_in_rigs(document, name, files, faults)
-                                                    : has_no_rig_file(document, faults);
+    const bool are_whole = others == OtherFiles::followed ? bring_in_files(document, name, files, faults)
+                                                          : has_no_other_file(document, faults);
     Job job;
-    if (has_rig) {  // else numbers that the rig gives would be reported missing
+    if (are_whole) {  // else numbers that these files give would be reported missing
         TableReader reader(document, "", faults);
         describe(reader, job);
         reader.finish();
@@ -51,12 +66,12 @@ Job read_job_file(const std::filesystem::path& path, std::span<const std::string
 }
 
 Job read_job_text(std::string_view text, const std::string& name, std::span<const std::string> overrides) {
-    return read(text, name, overrides, RigFiles::refused).job;
+    return read(text, name, overrides, OtherFiles::refused).job;
 }
 
 JobWithOrigins read_job_with_origins(const std::filesystem::path& path,
                                      std::span<const std::string> overrides) {
-    return read(read_text(path), path.string(), overrides, RigFiles::followed);
+    return read(read_text(path), path.string(), overrides, OtherFiles::followed);
 }
 
 }  // namespace peterka::job

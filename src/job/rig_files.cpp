@@ -11,11 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "job/choose.hpp"
-#include "job/job_source.hpp"
-#include "job/nearest.hpp"
+#include "job/named_file.hpp"
 #include "job/toml_text.hpp"
-#include "support/escape_untrusted.hpp"
-#include "support/folder.hpp"
 
 namespace peterka::job {
 namespace {
@@ -70,21 +67,11 @@ void complete(Table& document, const Table& rig) {
     }
 }
 
-// Suggests a similar name from the same folder.
-std::string did_you_mean(const fs::path& file, const fs::path& as_named) {
-    const fs::path folder = file.parent_path();
-    std::vector<std::string> names = names_in(folder.empty() ? "." : folder);
-    std::erase_if(names, [](const std::string& each) { return !each.ends_with(".toml"); });
-    std::ranges::sort(names);
-    const std::string name = file.filename().string();
-    const std::string_view meant = nearest(name, {names.begin(), names.end()});
-    if (meant.empty()) return "check the path";
-    return fmt::format("did you mean {}?", toml_text((as_named.parent_path() / meant).string()));
-}
+constexpr NamedFile rig_kind{"rig", "a rig", "\"rigs/170mm.toml\""};
 
 class Rigs {
   public:
-    Rigs(std::vector<std::string>& files, std::vector<Fault>& faults) : files_(files), faults_(faults) {}
+    Rigs(std::vector<std::string>& files, std::vector<Fault>& faults) : reader_(rig_kind, files, faults) {}
 
     // Adds to `document`, read from `file`, what it takes from the rig that it names.
     void bring_into(Value& document, const fs::path& file) {
@@ -98,38 +85,18 @@ class Rigs {
     void begin_with(const fs::path& job_file) { chain_.push_back(job_file.lexically_normal()); }
 
   private:
-    std::nullopt_t fault(const Value& named, const std::string& text) {
-        faults_.push_back({named.where, fmt::format("rig = {} {}", named.text(), text)});
-        return std::nullopt;
-    }
-
     std::optional<Value> read(const Value& named, const fs::path& from) {
-        const auto word = word_of(named);
-        if (!word) {
-            return fault(named, fmt::format("is {}; it must be text (the file of a rig, relative to this one); "
-                                            "write it like rig = \"rigs/170mm.toml\"",
-                                            named.type_in_words()));
-        }
-        if (word->empty() || escape_untrusted(*word, word->size()) != *word) {
-            return fault(named,
-                         "is no name of a file; it is looked for from the folder of the file that names "
-                         "it; write it like rig = \"rigs/170mm.toml\"");
-        }
-        const fs::path path = (from.parent_path() / *word).lexically_normal();
-        std::error_code unknown;
-        if (!fs::exists(path, unknown)) {
-            return fault(named,
-                         fmt::format("names a file that isn't there; it is looked for from the folder of "
-                                     "the file that names it, as {}; {}",
-                                     path.string(), did_you_mean(path, *word)));
-        }
+        const std::optional<fs::path> found = reader_.find(named, from);
+        if (!found) return std::nullopt;
+        const fs::path& path = *found;
         if (chain_.size() > most_rigs) {
-            return fault(named,
-                         fmt::format("is the end of a chain of more than {} rigs, each of which begins from "
-                                     "the next; write its tables into one of them",
-                                     most_rigs));
+            return reader_.fault(
+                named, fmt::format("is the end of a chain of more than {} rigs, each of which begins from "
+                                   "the next; write its tables into one of them",
+                                   most_rigs));
         }
         for (std::size_t i = 0; i < chain_.size(); ++i) {
+            std::error_code unknown;
             if (fs::equivalent(chain_[i], path, unknown)) return cycle(named, i);
         }
         return read_rig(named, path);
@@ -138,23 +105,17 @@ class Rigs {
     std::nullopt_t cycle(const Value& named, std::size_t first) {
         std::string way;
         for (std::size_t i = first; i < chain_.size(); ++i) way += chain_[i].string() + " -> ";
-        return fault(named, fmt::format("leads back to where it came from ({}{}); a rig may begin from another "
-                                        "one, but not from itself; remove one of these lines",
-                                        way, chain_[first].string()));
+        return reader_.fault(
+            named, fmt::format("leads back to where it came from ({}{}); a rig may begin from another "
+                               "one, but not from itself; remove one of these lines",
+                               way, chain_[first].string()));
     }
 
     std::optional<Value> read_rig(const Value& named, const fs::path& path) {
-        const auto number = static_cast<std::uint32_t>(files_.size());
-        std::optional<Value> rig;
-        try {
-            const std::string text = read_text(path);
-            if (!text.empty()) refuse_what_is_no_text(text, path.string());
-            rig = parse_document(text, path.string(), number);
-        } catch (const JobFaults& unreadable) {
-            return fault(named, fmt::format("can't be read as a rig; {}", unreadable.what()));
-        }
-        files_.push_back(path.string());
-        if (const std::string why = why_no_rig(*rig->as<Table>()); !why.empty()) return fault(named, why);
+        std::optional<Value> rig = reader_.read(named, path);
+        if (!rig) return std::nullopt;
+        if (const std::string why = why_no_rig(*rig->as<Table>()); !why.empty())
+            return reader_.fault(named, why);
         chain_.push_back(path);
         bring_into(*rig, path);
         chain_.pop_back();
@@ -183,8 +144,7 @@ class Rigs {
         return "";
     }
 
-    std::vector<std::string>& files_;
-    std::vector<Fault>& faults_;
+    NamedFileReader reader_;
     std::vector<fs::path> chain_;  // from the job to the rig being read
 };
 

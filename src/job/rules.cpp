@@ -87,8 +87,9 @@ std::string rule_of_gaps(const Sweep& sweep) {
 std::string rule_of_samples(const Job& job) {
     constexpr std::int64_t most = 16'000'000;   // half a gigabyte per copy
     constexpr std::int64_t least_samples = 16;  // what a point takes without samples
-    const std::int64_t motions =
-        job.starts.count == 0 ? 1 : branches_of_a_gap(job.sweep) + job.starts.attractors + 1;
+    const bool share_a_point = job.starts.count > 0 || job.uncertainty.rigs > 0;
+    const std::int64_t motions = (share_a_point ? branches_of_a_gap(job.sweep) : 1) +
+                                 (job.starts.count > 0 ? job.starts.attractors + 1 : 0);
     const std::int64_t samples = std::max(job.sweep.samples, least_samples) * motions;
     if (job.columns.points <= most / samples) return {};
     const std::string of_what =

@@ -20,6 +20,7 @@
 #include "job/schema_study.hpp"
 #include "job/schema_sweep.hpp"
 #include "job/schema_trace.hpp"
+#include "job/schema_uncertainty.hpp"
 
 namespace peterka::job {
 
@@ -74,12 +75,13 @@ void describe(Walker& file, Job& job) {
     if (job.cell.map.empty()) describe_rig(file, job);
 
     if (!kind_is_known) {
-        file.skip({"axes", "start", "operating_point", "refine", "starts", "sweep", "study", "trace", "curves",
-                   "basin"});
+        file.skip({"axes", "start", "operating_point", "refine", "starts", "uncertainty", "sweep", "study",
+                   "trace", "curves", "basin"});
     }
     if (kind_is_known && job.kind == Kind::map) {
         describe_map(file, job);
         describe_starts(file, job);
+        describe_uncertainty(file, job);
     }
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
     if (kind_is_known && job.kind == Kind::sweep) describe_sweep(file, job);

@@ -58,6 +58,7 @@ void describe_curves(Walker& file, Job& job) {
     file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");
     describe_starts(file, job);
+    file.refuse("uncertainty", "is for maps and sweeps; curves are those of one rig; remove this table");
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
     file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
     file.refuse("certificate",

@@ -88,6 +88,8 @@ void describe_study(Walker& file, Job& job) {
     }
     file.refuse("operating_point", "belongs to a basin; a study has scenes of its own; remove this table");
     describe_plain_output(file, job.output, "are for maps; a study has fields of its own; remove this key");
+    file.refuse("uncertainty",
+                "is for maps and sweeps; a study compares engines on one rig; remove this table");
     file.refuse("starts", "is for maps; a study compares single starts; remove this table");
     file.refuse("refine", "is for maps; a study compares computed cells; remove this table");
     file.refuse("audit", "is for maps; a study is an audit itself; remove this table");

@@ -8,6 +8,7 @@
 #include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_starts.hpp"
+#include "job/schema_uncertainty.hpp"
 
 namespace peterka::job {
 
@@ -58,6 +59,7 @@ void describe_sweep(Walker& file, Job& job) {
     describe_branches(file, job, axis_is_known);
     describe_start(file, job);
     describe_starts(file, job);
+    describe_uncertainty(file, job);
     file.refuse("refine", "is for maps; every point of a sweep starts from the one before; remove this table");
     file.rule({"axes", "sweep", "starts"}, [&] { return rule_of_samples(job); });
     file.rule({"axes", "sweep", "operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });

@@ -19,6 +19,12 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
             return job.certificate.cells > 0;
         case cell::StoredWhen::of_certificates_of_rigid_stops:
             return job.certificate.cells > 0 && is_rigid(job.contact);
+        case cell::StoredWhen::of_uncertain_rigs:
+            return job.uncertainty.rigs > 0;
+        case cell::StoredWhen::of_uncertain_rigs_with_forces:
+            return job.uncertainty.rigs > 0 && !is_rigid(job.contact);
+        case cell::StoredWhen::of_uncertain_rigs_on_rigid_stops:
+            return job.uncertainty.rigs > 0 && is_rigid(job.contact);
         case cell::StoredWhen::on_request:
             break;
     }
@@ -44,6 +50,10 @@ std::vector<const cell::AttractorQuantity*> stored_attractor_quantities(const Jo
         if (!field || job.output.has(*field)) stored.push_back(&quantity);
     }
     return stored;
+}
+
+std::span<const cell::OutcomeQuantity> stored_outcome_quantities(const Job& job) {
+    return job.uncertainty.rigs > 0 ? cell::outcome_quantities : std::span<const cell::OutcomeQuantity>();
 }
 
 }  // namespace peterka::job

@@ -1,6 +1,7 @@
 // Which quantities of its cells a job stores.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cell/quantities.hpp"
@@ -16,5 +17,8 @@ namespace peterka::job {
 
 // For each attractor of a cell; none without [starts].
 [[nodiscard]] std::vector<const cell::AttractorQuantity*> stored_attractor_quantities(const Job& job);
+
+// For each outcome of the rigs drawn for a cell; none without [uncertainty].
+[[nodiscard]] std::span<const cell::OutcomeQuantity> stored_outcome_quantities(const Job& job);
 
 }  // namespace peterka::job

@@ -33,6 +33,11 @@ class TableReader {
     // Lists of at least one number; a given list replaces the default.
     void numbers(const Key& key, std::vector<double>& values, const Range<double>& range);
     void integers(const Key& key, std::vector<std::int64_t>& values, const Range<std::int64_t>& range);
+    // Words that name what only a rule can tell.
+    void words(const Key& key, std::vector<std::string>& values);
+    // A list of lists.
+    void rows(const Key& key, std::vector<std::vector<double>>& values, const Range<double>& range);
+    void optional_number(const Key& key, std::optional<double>& value, const Range<double>& range);
     void text(const Key& key, std::string& value);
     void flag(const Key& key, bool& value);
     void either(const Alternative& first, const Alternative& second, std::string_view why);

@@ -12,6 +12,16 @@ void TableWriter::either(const Alternative& first, const Alternative& second, st
     line(given.key, toml_text(given.value.value()));
 }
 
+void TableWriter::rows(const Key& key, const std::vector<std::vector<double>>& values, const Range<double>&) {
+    std::string text;
+    for (const std::vector<double>& row : values) {
+        std::string numbers;
+        for (const double value : row) numbers += (numbers.empty() ? "" : ", ") + toml_text(value);
+        text += (text.empty() ? "[" : ", [") + numbers + "]";
+    }
+    if (!values.empty()) line(key, "[" + text + "]");
+}
+
 void TableWriter::leave_to_axes(const Job& job) {
     left_to_axes_ = {job.columns.over, job.rows.over};
 }

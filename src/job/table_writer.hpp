@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,6 +41,12 @@ class TableWriter {
     void integers(const Key& key, const std::vector<std::int64_t>& values, const Range<std::int64_t>&) {
         list(key, values);
     }
+    // These are written only if given.
+    void optional_number(const Key& key, const std::optional<double>& value, const Range<double>&) {
+        if (value) line(key, toml_text(*value));
+    }
+    void words(const Key& key, const std::vector<std::string>& values) { list(key, values); }
+    void rows(const Key& key, const std::vector<std::vector<double>>& values, const Range<double>&);
     void text(const Key& key, const std::string& value) { line(key, toml_text(value)); }
     void flag(const Key& key, bool value) { line(key, value ? "true" : "false"); }
     void either(const Alternative& first, const Alternative& second, std::string_view why);
@@ -105,7 +112,7 @@ class TableWriter {
     void list(const Key& key, const std::vector<Number>& values) {
         if (values.empty()) return;  // a list that the job does not have
         std::string text;
-        for (const Number value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
+        for (const Number& value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
         line(key, "[" + text + "]");
     }
     void line(const Key& key, const std::string& value);

@@ -16,8 +16,10 @@ constexpr double not_audited = regime::regime_not_computed;
 constexpr const char* agrees = "agrees";
 constexpr const char* force_error = "force_error";
 constexpr const char* sensitivity = "sensitivity";
-constexpr const char* starts_elsewhere = "starts_elsewhere";
-constexpr const char* starts_decided_by_rounding = "starts_decided_by_rounding";
+constexpr const char* starts = "starts";
+constexpr const char* rigs = "rigs";
+constexpr const char* ended_elsewhere = "_elsewhere";
+constexpr const char* decided_by_rounding = "_decided_by_rounding";
 constexpr const char* seconds_path = "/run/audit_seconds";
 constexpr const char* agreeing_names[] = {"differs", "agrees"};
 
@@ -38,10 +40,16 @@ constexpr hdf5::Variable columns[] = {
     {agrees, hdf5::Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
 constexpr hdf5::Variable start_columns[] = {
-    {"starts", hdf5::Number::int32, -1, "1", "starts of the cell solved again, each in full, by the independent engine"},
-    {starts_elsewhere, hdf5::Number::int32, -1, "1", "of these, how many end on another attractor than the map says"},
-    {starts_decided_by_rounding, hdf5::Number::int32, -1, "1", "of these, in how many a perturbation grew by e^20 or more, so that rounding decides"},
+    {starts, hdf5::Number::int32, -1, "1", "starts of the cell solved again, each in full, by the independent engine"},
+    {"starts_elsewhere", hdf5::Number::int32, -1, "1", "of these, how many end on another attractor than the map says"},
+    {"starts_decided_by_rounding", hdf5::Number::int32, -1, "1", "of these, in how many a perturbation grew by e^20 or more, so that rounding decides"},
 };
+constexpr hdf5::Variable rig_columns[] = {
+    {rigs, hdf5::Number::int32, -1, "1", "rigs drawn for the cell and solved again by the independent engine"},
+    {"rigs_elsewhere", hdf5::Number::int32, -1, "1", "of these, how many have another outcome than the map says"},
+    {"rigs_decided_by_rounding", hdf5::Number::int32, -1, "1", "of these, in how many a perturbation grew by e^20 or more, so that rounding decides"},
+};
+constexpr hdf5::Variable agreeing_rigs{"agreeing_rigs", hdf5::Number::float64, regime::unknown, "1", "share of the rigs solved again that have the outcome that the map says"};
 constexpr hdf5::Variable agreeing_starts{"agreeing_starts", hdf5::Number::float64, regime::unknown, "1", "share of the starts solved again that end on the attractor that the map says"};
 constexpr hdf5::Variable results[] = {
     {"agreeing_labels", hdf5::Number::float64, regime::unknown, "1", "share of audited cells with the same regime and p/q"},
@@ -73,15 +81,20 @@ std::vector<Value> read_column(const hdf5::OpenMap& map, const std::string& path
 
 }  // namespace
 
+void AuditReport::Tries::add(const AuditedTries& of_cell) {
+    solved += of_cell.solved;
+    elsewhere += of_cell.elsewhere;
+    decided_by_rounding += of_cell.decided_by_rounding;
+}
+
 AuditReport report(std::span<const AuditRow> rows) {
     AuditReport report{.cells = std::ssize(rows)};
     std::vector<double> errors;
     for (const AuditRow& row : rows) {
         report.agreeing += row.agrees ? 1 : 0;
         report.decided_by_rounding += !row.agrees && row.sensitivity > regime::rounding_decides ? 1 : 0;
-        report.starts += row.starts.solved;
-        report.starts_elsewhere += row.starts.elsewhere;
-        report.starts_decided_by_rounding += row.starts.decided_by_rounding;
+        report.starts.add(row.starts);
+        report.rigs.add(row.rigs);
         report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
         if (!std::isnan(row.force_error)) errors.push_back(row.force_error);
     }
@@ -108,10 +121,12 @@ std::vector<DatasetPlan> audit_plans(const job::Job& job) {
     if (dimension.size == 0) return plans;
     plans.push_back({"/audit", audited, {dimension}});
     for (const hdf5::Variable& column : columns) plans.push_back({"/audit", column, {dimension}});
-    if (job.starts.count > 0) {
-        for (const hdf5::Variable& column : start_columns) plans.push_back({"/audit", column, {dimension}});
-        plans.push_back({"/audit", agreeing_starts, {}});
-    }
+    const auto add = [&](const auto& more, const hdf5::Variable& agreeing) {
+        for (const hdf5::Variable& column : more) plans.push_back({"/audit", column, {dimension}});
+        plans.push_back({"/audit", agreeing, {}});
+    };
+    if (job.starts.count > 0) add(start_columns, agreeing_starts);
+    if (job.uncertainty.rigs > 0) add(rig_columns, agreeing_rigs);
     for (const hdf5::Variable& result : results) plans.push_back({"/audit", result, {}});
     return plans;
 }
@@ -145,11 +160,8 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
     put("peak_force_ratio", index, row.again.peak_force);
     put(force_error, index, row.force_error);
     put(sensitivity, index, row.sensitivity);
-    if (has_starts_) {
-        put("starts", index, row.starts.solved);
-        put(starts_elsewhere, index, row.starts.elsewhere);
-        put(starts_decided_by_rounding, index, row.starts.decided_by_rounding);
-    }
+    if (has_starts_) put(starts, index, row.starts);
+    if (has_rigs_) put(rigs, index, row.rigs);
     hdf5::Stored(map_, seconds_path, hdf5::Number::float64).write(hdf5::Block(index, 1), &row.seconds);
     put(agrees, index, static_cast<std::int8_t>(row.agrees ? 1 : 0));
 }
@@ -166,12 +178,31 @@ std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
         rows[i].agrees = marks[i] == 1;
         rows[i].seconds = times[i];
     }
-    if (!has_starts_) return rows;
-    const auto solved = read_column<std::int32_t>(map_, path_of("starts"), count);
-    const auto elsewhere = read_column<std::int32_t>(map_, path_of(starts_elsewhere), count);
-    const auto by_rounding = read_column<std::int32_t>(map_, path_of(starts_decided_by_rounding), count);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].starts = {solved[i], elsewhere[i], by_rounding[i]};
+    const auto of_starts = has_starts_ ? read_tries(starts, count) : std::vector<AuditedTries>(rows.size());
+    const auto of_rigs = has_rigs_ ? read_tries(rigs, count) : std::vector<AuditedTries>(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].starts = of_starts[i];
+        rows[i].rigs = of_rigs[i];
+    }
     return rows;
+}
+
+void AuditTable::put(const char* name, std::int64_t index, const AuditedTries& tries) const {
+    put(name, index, tries.solved);
+    put((std::string(name) + ended_elsewhere).c_str(), index, tries.elsewhere);
+    put((std::string(name) + decided_by_rounding).c_str(), index, tries.decided_by_rounding);
+}
+
+std::vector<AuditedTries> AuditTable::read_tries(const char* name, std::int64_t count) const {
+    const auto column = [&](const char* suffix) {
+        return read_column<std::int32_t>(map_, path_of((std::string(name) + suffix).c_str()), count);
+    };
+    const auto solved = column("");
+    const auto elsewhere = column(ended_elsewhere);
+    const auto by_rounding = column(decided_by_rounding);
+    std::vector<AuditedTries> tries;
+    for (std::size_t i = 0; i < solved.size(); ++i) tries.push_back({solved[i], elsewhere[i], by_rounding[i]});
+    return tries;
 }
 
 void AuditTable::write(const AuditReport& report) const {
@@ -180,10 +211,12 @@ void AuditTable::write(const AuditReport& report) const {
         hdf5::put_number(map_, path_of(name).c_str(), hdf5::Number::float64, value);
     };
     put_result("agreeing_labels", share);
-    if (report.starts > 0) {
-        put_result(agreeing_starts.name,
-                   1 - static_cast<double>(report.starts_elsewhere) / static_cast<double>(report.starts));
-    }
+    const auto put_agreeing = [&](const hdf5::Variable& agreeing, const AuditReport::Tries& tries) {
+        if (tries.solved == 0) return;
+        put_result(agreeing.name, 1 - static_cast<double>(tries.elsewhere) / static_cast<double>(tries.solved));
+    };
+    put_agreeing(agreeing_starts, report.starts);
+    put_agreeing(agreeing_rigs, report.rigs);
     put_result("force_error_median", report.median_force_error);
     put_result("force_error_99_percent", report.force_error_99_percent);
     put_result("force_error_largest", report.largest_force_error);

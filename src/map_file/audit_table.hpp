@@ -16,8 +16,9 @@
 namespace peterka::map_file {
 
 // For a cell with [starts]: how many starts were solved again, how many of these end on another attractor, and
-// for how many of the latter a perturbation grew so much that rounding decides.
-struct AuditedStarts {
+// for how many of the latter a perturbation grew so much that rounding decides. For a cell with [uncertainty]:
+// the same of rigs drawn for it, and of outcomes.
+struct AuditedTries {
     std::int32_t solved = 0;
     std::int32_t elsewhere = 0;
     std::int32_t decided_by_rounding = 0;
@@ -32,7 +33,8 @@ struct AuditRow {
     double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
                                            // in either run
     bool agrees = false;                   // same regime, and the same p/q where it is periodic
-    AuditedStarts starts;
+    AuditedTries starts;
+    AuditedTries rigs;
     double seconds = 0;  // spent on solving it again
 };
 
@@ -46,9 +48,14 @@ struct AuditReport {
     double force_error_99_percent = regime::unknown;
     double largest_force_error = regime::unknown;
     double seconds_per_cell = 0;  // of the independent engine
-    std::int64_t starts = 0;      // of these cells, solved again
-    std::int64_t starts_elsewhere = 0;
-    std::int64_t starts_decided_by_rounding = 0;  // of those
+    struct Tries {                // of these cells
+        std::int64_t solved = 0;  // again
+        std::int64_t elsewhere = 0;
+        std::int64_t decided_by_rounding = 0;  // of those
+        void add(const AuditedTries& of_cell);
+    };
+    Tries starts = {};
+    Tries rigs = {};
 };
 [[nodiscard]] AuditReport report(std::span<const AuditRow> rows);
 
@@ -62,8 +69,9 @@ struct AuditReport {
 // The table in an open file. No call is collective.
 class AuditTable {
   public:
-    // has_starts: whether the job has [starts], and the table columns for them.
-    AuditTable(const hdf5::OpenMap& map, bool has_starts) : map_(map), has_starts_(has_starts) {}
+    // The table has columns for starts and drawn rigs where the job has these.
+    AuditTable(const hdf5::OpenMap& map, const job::Job& job)
+        : map_(map), has_starts_(job.starts.count > 0), has_rigs_(job.uncertainty.rigs > 0) {}
 
     [[nodiscard]] bool has(std::int64_t index) const;
     void write(std::int64_t index, const AuditRow& row) const;
@@ -72,11 +80,14 @@ class AuditTable {
     void write(const AuditReport& report) const;
 
   private:
+    void put(const char* name, std::int64_t index, const AuditedTries& tries) const;
+    [[nodiscard]] std::vector<AuditedTries> read_tries(const char* name, std::int64_t count) const;
     template <class Value>
     void put(const char* name, std::int64_t index, Value value) const;
 
     hdf5::OpenMap map_;
     bool has_starts_;
+    bool has_rigs_;
 };
 
 }  // namespace peterka::map_file

@@ -128,10 +128,11 @@ bool all_tiles_done(const hdf5::Checked& check, const hdf5::FileId& file, const 
     return true;
 }
 
-// The file records which cells SUNDIALS integrated from [start]. From other starts it may have integrated any
-// cell, and it does the audit, which follows the last tile.
+// The file records which cells SUNDIALS integrated from [start]. From other starts, or with other rigs, it may
+// have integrated any cell, and it does the audit, which follows the last tile.
 bool holds_what_sundials_carried(const hdf5::Checked& check, const hdf5::FileId& file, const job::Job& job) {
-    if (job.starts.count > 0 || (job.audit.cells > 0 && all_tiles_done(check, file, job))) return true;
+    const bool tries_more = job.starts.count > 0 || job.uncertainty.rigs > 0;
+    if (tries_more || (job.audit.cells > 0 && all_tiles_done(check, file, job))) return true;
     const hdf5::DiskFile disk(check.path());
     const hdf5::Stored engines({check, file.id(), disk}, path::engine, hdf5::Number::int8);
     const parallel::Tiling tiles = tiling(job);

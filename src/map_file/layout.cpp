@@ -58,6 +58,7 @@ constexpr hdf5::Variable summary_variables[] = {
     {"finished", hdf5::Number::int8, 0, "1", "1 once everything in the file is final"},
 };
 constexpr hdf5::Variable attractor_slot{"attractor", hdf5::Number::int32, -1, "1", "attractor of a cell, those with the largest shares first"};
+constexpr hdf5::Variable outcome_slot{"outcome", hdf5::Number::int32, -1, "1", "outcome of a cell with uncertain rigs, the most likely first"};
 constexpr hdf5::Variable attractor_row{"attractor", hdf5::Number::int32, -1, "1", "row of this table"};
 constexpr hdf5::Variable attractor_cells{"cells", hdf5::Number::int64, 0, "1", "cells that lead to the attractor"};
 constexpr hdf5::Variable attractor_count{"count", hdf5::Number::int32, 0, "1", "rows in use"};
@@ -67,7 +68,8 @@ constexpr const char* point_attractor =
 
 parallel::Extent largest_tile(const job::Job& job) {
     if (job.kind != job::Kind::sweep) return parallel::tile_extent;
-    return {job.starts.count > 0 ? job::branches_of_a_gap(job.sweep) : 1, job.columns.points};
+    const bool share_a_point = job.starts.count > 0 || job.uncertainty.rigs > 0;
+    return {share_a_point ? job::branches_of_a_gap(job.sweep) : 1, job.columns.points};
 }
 
 // On the plane of cells, with the samples of each as an optional third dimension.
@@ -80,17 +82,25 @@ DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::v
 }
 
 // Several values per cell: consecutive planes, cut into the same tiles.
-void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& rows,
-                         const Dimension& columns) {
-    const std::vector<quantities::AttractorField> fields = quantities::stored_attractor_fields(job);
+template <class Field>
+void add_slots(std::vector<DatasetPlan>& plans, const job::Job& job, const std::vector<Field>& fields,
+               const hdf5::Variable& slot, std::int64_t kept, const Dimension& rows, const Dimension& columns) {
     if (fields.empty()) return;
-    const Dimension slots{attractor_slot.name, job.starts.attractors};
-    plans.push_back({"/", attractor_slot, {slots}});
-    for (const quantities::AttractorField& field : fields) {
+    const Dimension slots{slot.name, kept};
+    plans.push_back({"/", slot, {slots}});
+    for (const Field& field : fields) {
         std::vector<std::int64_t> chunk = on_cells(job, field.variable, {rows, columns}).chunk;
         chunk.insert(chunk.begin(), slots.size);
         plans.push_back({"/", field.variable, {slots, rows, columns}, std::move(chunk)});
     }
+}
+
+void add_attractors_and_outcomes(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& rows,
+                                 const Dimension& columns) {
+    add_slots(plans, job, quantities::stored_attractor_fields(job), attractor_slot, job.starts.attractors, rows,
+              columns);
+    add_slots(plans, job, quantities::stored_outcome_fields(job), outcome_slot, cell::kept_outcomes, rows,
+              columns);
 }
 
 // The coordinate in the other unit, beside the coordinate itself.
@@ -117,7 +127,7 @@ void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
         if (std::string_view(variable.name) == "start_attractor") variable.long_name = point_attractor;
         plans.push_back(on_cells(job, variable, {branches, along}));
     }
-    add_cell_attractors(plans, job, branches, along);
+    add_attractors_and_outcomes(plans, job, branches, along);
     for (const hdf5::Variable& variable : stored_sample_variables(job)) {
         plans.push_back(on_cells(job, variable, {branches, along, samples}));
     }
@@ -136,7 +146,7 @@ void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     for (const quantities::Field& field : quantities::stored_fields(job)) {
         plans.push_back(on_cells(job, field.variable, {row_dimension, column_dimension}));
     }
-    add_cell_attractors(plans, job, row_dimension, column_dimension);
+    add_attractors_and_outcomes(plans, job, row_dimension, column_dimension);
     if (!is_map) plans.push_back(on_cells(job, attractor_of_cell, {row_dimension, column_dimension}));
 }
 

@@ -54,7 +54,8 @@ struct DatasetPlan {
 // Scales come before the datasets that they belong to.
 [[nodiscard]] std::vector<DatasetPlan> layout(const job::Job& job);
 
-// A branch of a sweep is one tile; with [starts], which know no direction, all branches of a gap.
+// A branch of a sweep is one tile; with [starts] or [uncertainty], which know no direction, all branches of a
+// gap.
 [[nodiscard]] parallel::Tiling tiling(const job::Job& job);
 
 // Paths that the program itself reads or writes by name.

@@ -87,9 +87,18 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const attractors:
         scales.push_back(scales_(row, column));
         stored.push_back(quantities::in_file_units(cells[static_cast<std::size_t>(i)].cell, scales.back()));
     }
-    tiles_.write(tile, stored, {seconds, rank_},
-                 encode(quantities::stored_attractor_fields(job_),
-                        stored_attractors(cells, kept_of(job_.starts), scales)));
+    tiles_.write(tile, stored, {seconds, rank_}, bytes_of_slots(cells, scales));
+}
+
+std::vector<std::byte> MapFile::bytes_of_slots(std::span<const attractors::SolvedCell> cells,
+                                               std::span<const scene::Scales> scales) const {
+    std::vector<std::byte> bytes = encode(quantities::stored_attractor_fields(job_),
+                                          stored_attractors(cells, kept_of(job_.starts), scales));
+    if (job_.uncertainty.rigs == 0) return bytes;
+    const std::vector<std::byte> more =
+        encode(quantities::stored_outcome_fields(job_), stored_outcomes(cells, scales));
+    bytes.insert(bytes.end(), more.begin(), more.end());
+    return bytes;
 }
 
 void MapFile::write_branches(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
@@ -103,22 +112,26 @@ void MapFile::write_branches(const parallel::Tile& tile, std::span<const regime:
         stored.push_back(quantities::in_file_units(points[static_cast<std::size_t>(i)].cell, scales.back()));
         if (cells.empty()) continue;
         cells[static_cast<std::size_t>(i)].attractors = attractors[static_cast<std::size_t>(column)].kept;
+        cells[static_cast<std::size_t>(i)].outcomes = attractors[static_cast<std::size_t>(column)].outcomes;
     }
-    std::vector<std::byte> several = encode(quantities::stored_attractor_fields(job_),
-                                            stored_attractors(cells, kept_of(job_.starts), scales));
+    std::vector<std::byte> several = bytes_of_slots(cells, scales);
     const auto append = [&](std::span<const std::byte> bytes) {
         several.insert(several.end(), bytes.begin(), bytes.end());
     };
     const std::vector<double> samples = sample_values(points, job_.sweep.samples);
     append(std::as_bytes(std::span(samples)));
-    if (!cells.empty()) append(attractor_sample_bytes(attractors, tile.extent.rows, job_.sweep.samples));
+    if (job_.starts.count > 0) append(attractor_sample_bytes(attractors, tile.extent.rows, job_.sweep.samples));
     tiles_.write(tile, stored, {seconds, rank_}, several);
 }
 
 void MapFile::write_attractors(std::int64_t index, std::span<const quantities::StoredCell> cells,
                                std::span<const quantities::StoredAttractor> attractors) {
-    tiles_.write_again(tiling().tile(index), cells,
-                       encode(quantities::stored_attractor_fields(job_), attractors));
+    const parallel::Tile tile = tiling().tile(index);
+    std::vector<std::byte> several = encode(quantities::stored_attractor_fields(job_), attractors);
+    const std::vector<std::byte> outcomes =
+        encode(quantities::stored_outcome_fields(job_), tiles_.read_outcomes(tile));
+    several.insert(several.end(), outcomes.begin(), outcomes.end());
+    tiles_.write_again(tile, cells, several);
 }
 
 RemainingTiles MapFile::remaining_tiles() {
@@ -148,6 +161,10 @@ std::vector<quantities::StoredCell> MapFile::read_tile(std::int64_t index) const
 
 std::vector<quantities::StoredAttractor> MapFile::read_attractors(std::int64_t index) const {
     return tiles_.read_attractors(tiling().tile(index));
+}
+
+std::vector<quantities::StoredOutcome> MapFile::read_outcomes(std::int64_t index) const {
+    return tiles_.read_outcomes(tiling().tile(index));
 }
 
 std::vector<findings::Attractor> MapFile::basin_attractors() const {

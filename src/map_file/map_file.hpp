@@ -91,9 +91,10 @@ class MapFile {
     [[nodiscard]] quantities::StoredCell read_cell(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] std::vector<quantities::StoredCell> read_tile(std::int64_t index) const;
     [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(std::int64_t index) const;
+    [[nodiscard]] std::vector<quantities::StoredOutcome> read_outcomes(std::int64_t index) const;
     // For a finished basin.
     [[nodiscard]] std::vector<findings::Attractor> basin_attractors() const;
-    [[nodiscard]] AuditTable audit() const { return {open_map(), job_.starts.count > 0}; }
+    [[nodiscard]] AuditTable audit() const { return {open_map(), job_}; }
 
     // Collective. The result of the audit, on every rank; nothing if the job requests none.
     [[nodiscard]] std::optional<AuditReport> audit_report();
@@ -117,6 +118,9 @@ class MapFile {
     MapFile(hdf5::Checked check, const job::Job& job, ScalesOfCell scales, MPI_Comm communicator,
             Access access);
     void seal();
+    // The bytes of attractors and outcomes of cells, as in their tile.
+    [[nodiscard]] std::vector<std::byte> bytes_of_slots(std::span<const attractors::SolvedCell> cells,
+                                                        std::span<const scene::Scales> scales) const;
     [[nodiscard]] hdf5::OpenMap open_map() const { return {check_, file_.id(), disk_}; }
 
     hdf5::Checked check_;

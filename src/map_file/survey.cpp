@@ -19,11 +19,17 @@ struct Totals {
     findings::Extremes largest;
     findings::Transients transients;
     findings::StartCounts starts;
+    findings::OutcomeCounts outcomes;
     double tile_seconds = 0;
 };
 
 struct PairCount {
     findings::AttractorPair pair;
+    std::int64_t cells = 0;
+};
+
+struct LikelyCount {
+    findings::AttractorLabel label;
     std::int64_t cells = 0;
 };
 
@@ -40,6 +46,7 @@ findings::Statistics survey_share(const TileStore& tiles, parallel::Share share)
         const std::vector<quantities::StoredCell> cells = tiles.read(tile);
         findings::add_tile(mine, tile, cells);
         findings::add_attractors(mine.starts, tile, cells, tiles.read_attractors(tile));
+        findings::add_outcomes(mine.outcomes, cells, tiles.read_outcomes(tile));
         const double seconds = tiles.seconds(tile);
         if (!std::isnan(seconds)) mine.tile_seconds += seconds;
     }
@@ -53,8 +60,11 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     parallel::together(communicator, [&] {
         mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
     });
-    const Totals totals{mine.counts,  mine.proved,     mine.chaos,         mine.longest,
-                        mine.largest, mine.transients, mine.starts.counts, mine.tile_seconds};
+    const Totals totals{mine.counts,        mine.proved,          mine.chaos,
+                        mine.longest,       mine.largest,         mine.transients,
+                        mine.starts.counts, mine.outcomes.counts, mine.tile_seconds};
+    std::vector<LikelyCount> likely;
+    for (const auto& [label, cells] : mine.outcomes.by_likely) likely.push_back({label, cells});
     std::vector<PairCount> pairs;
     for (const auto& [pair, cells] : mine.starts.pairs) pairs.push_back({pair, cells});
     std::vector<ClassCount> classes;
@@ -69,10 +79,14 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
         all.largest.take(share.largest);
         all.transients.add(share.transients);
         all.starts.counts.add(share.starts);
+        all.outcomes.counts.add(share.outcomes);
         all.tile_seconds += share.tile_seconds;
     }
     for (const PairCount& share : parallel::gather<PairCount>(pairs, communicator)) {
         all.starts.pairs[share.pair] += share.cells;
+    }
+    for (const LikelyCount& share : parallel::gather<LikelyCount>(likely, communicator)) {
+        all.outcomes.by_likely[share.label] += share.cells;
     }
     for (const ClassCount& share : parallel::gather<ClassCount>(classes, communicator)) {
         all.periodic_cells[share.impact_class] += share.cells;

@@ -54,6 +54,10 @@ std::size_t bytes_per_cell(std::span<const quantities::Field> fields) {
     return bytes_per_entry(fields);
 }
 
+std::size_t bytes_per_attractor(std::span<const quantities::AttractorField> fields) {
+    return bytes_per_entry(fields);
+}
+
 std::vector<std::byte> encode(std::span<const quantities::Field> fields,
                               std::span<const quantities::StoredCell> cells) {
     return bytes_of(fields, cells);
@@ -64,6 +68,11 @@ std::vector<std::byte> encode(std::span<const quantities::AttractorField> fields
     return bytes_of(fields, attractors);
 }
 
+std::vector<std::byte> encode(std::span<const quantities::OutcomeField> fields,
+                              std::span<const quantities::StoredOutcome> outcomes) {
+    return bytes_of(fields, outcomes);
+}
+
 std::vector<quantities::StoredCell> decode(std::span<const quantities::Field> fields,
                                            std::span<const std::byte> bytes, std::size_t count) {
     return entries_of<quantities::StoredCell>(fields, bytes, count);
@@ -72,6 +81,11 @@ std::vector<quantities::StoredCell> decode(std::span<const quantities::Field> fi
 std::vector<quantities::StoredAttractor> decode(std::span<const quantities::AttractorField> fields,
                                                 std::span<const std::byte> bytes, std::size_t count) {
     return entries_of<quantities::StoredAttractor>(fields, bytes, count);
+}
+
+std::vector<quantities::StoredOutcome> decode(std::span<const quantities::OutcomeField> fields,
+                                              std::span<const std::byte> bytes, std::size_t count) {
+    return entries_of<quantities::StoredOutcome>(fields, bytes, count);
 }
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {

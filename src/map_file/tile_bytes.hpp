@@ -19,14 +19,22 @@ namespace peterka::map_file {
 [[nodiscard]] std::vector<std::byte> encode(std::span<const quantities::AttractorField> fields,
                                             std::span<const quantities::StoredAttractor> attractors);
 
+[[nodiscard]] std::vector<std::byte> encode(std::span<const quantities::OutcomeField> fields,
+                                            std::span<const quantities::StoredOutcome> outcomes);
+
 // The inverse, for `count` cells or attractors: members without a stored field keep their defaults.
 [[nodiscard]] std::vector<quantities::StoredCell> decode(std::span<const quantities::Field> fields,
                                                          std::span<const std::byte> bytes, std::size_t count);
 [[nodiscard]] std::vector<quantities::StoredAttractor> decode(
     std::span<const quantities::AttractorField> fields, std::span<const std::byte> bytes, std::size_t count);
 
-// Bytes that one cell takes in all fields together.
+[[nodiscard]] std::vector<quantities::StoredOutcome> decode(std::span<const quantities::OutcomeField> fields,
+                                                            std::span<const std::byte> bytes,
+                                                            std::size_t count);
+
+// Bytes that one cell, or one of its attractors, takes in all fields together.
 [[nodiscard]] std::size_t bytes_per_cell(std::span<const quantities::Field> fields);
+[[nodiscard]] std::size_t bytes_per_attractor(std::span<const quantities::AttractorField> fields);
 
 // XXH3, 64 bits.
 [[nodiscard]] std::uint64_t checksum(std::span<const std::byte> bytes);

@@ -21,29 +21,30 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
       samples_(job.kind == job::Kind::sweep ? job.sweep.samples : 0),
       attractor_fields_(quantities::stored_attractor_fields(job)),
       kept_(job.starts.attractors),
+      outcome_fields_(quantities::stored_outcome_fields(job)),
       checksum_(map, path::checksum, hdf5::Number::uint64),
       done_(map, path::done, hdf5::Number::int8),
       seconds_(map, path::tile_seconds, hdf5::Number::float64),
       rank_(map, path::tile_rank, hdf5::Number::int32) {
-    for (const quantities::Field& field : fields_) {
-        datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
-    }
-    for (const quantities::AttractorField& field : attractor_fields_) {
-        datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
-    }
-    for (const hdf5::Variable& variable : stored_sample_variables(job)) {
+    const auto add = [&](const hdf5::Variable& variable) {
         datasets_.emplace_back(map, std::string("/") + variable.name, variable.number);
-    }
+    };
+    for (const quantities::Field& field : fields_) add(field.variable);
+    for (const quantities::AttractorField& field : attractor_fields_) add(field.variable);
+    for (const quantities::OutcomeField& field : outcome_fields_) add(field.variable);
+    for (const hdf5::Variable& variable : stored_sample_variables(job)) add(variable);
 }
 
 std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const {
     std::vector<Part> parts;
-    for (std::size_t i = 0; i < datasets_.size(); ++i) {
-        const bool is_sample = i >= fields_.size() + attractor_fields_.size();
-        const hdf5::Block several = is_sample ? hdf5::Block(tile, samples_) : hdf5::Block(kept_, tile);
-        const hdf5::Block block = i < fields_.size() ? hdf5::Block(tile) : several;
-        parts.push_back({datasets_[i], block, datasets_[i].bytes(block)});
-    }
+    const auto add = [&](std::size_t end, const hdf5::Block& block) {
+        for (std::size_t i = parts.size(); i < end; ++i)
+            parts.push_back({datasets_[i], block, datasets_[i].bytes(block)});
+    };
+    add(fields_.size(), hdf5::Block(tile));
+    add(parts.size() + attractor_fields_.size(), hdf5::Block(kept_, tile));
+    add(parts.size() + outcome_fields_.size(), hdf5::Block(cell::kept_outcomes, tile));
+    add(datasets_.size(), hdf5::Block(tile, samples_));
     return parts;
 }
 
@@ -99,6 +100,16 @@ std::vector<quantities::StoredAttractor> TileStore::read_attractors(const parall
     const auto cells = static_cast<std::size_t>(tile.size());
     return decode(attractor_fields_, std::span(bytes).subspan(bytes_per_cell(fields_) * cells),
                   static_cast<std::size_t>(kept_) * cells);
+}
+
+std::vector<quantities::StoredOutcome> TileStore::read_outcomes(const parallel::Tile& tile) const {
+    if (outcome_fields_.empty()) return {};
+    const std::vector<std::byte> bytes = read_whole(tile);
+    const auto cells = static_cast<std::size_t>(tile.size());
+    const std::size_t before =
+        bytes_per_cell(fields_) + static_cast<std::size_t>(kept_) * bytes_per_attractor(attractor_fields_);
+    return decode(outcome_fields_, std::span(bytes).subspan(before * cells),
+                  static_cast<std::size_t>(cell::kept_outcomes) * cells);
 }
 
 std::vector<std::byte> TileStore::read_whole(const parallel::Tile& tile) const {

@@ -31,9 +31,9 @@ class TileStore {
   public:
     TileStore(const hdf5::OpenMap& map, const job::Job& job);
 
-    // `several`: the bytes of what each cell has several of: with [starts] its attractors
-    // (cell_attractors.hpp), then, in a sweep, its samples (samples.hpp). First the cells are written, then
-    // their checksum, then the done mark: a kill in between leaves no false mark.
+    // `several`: the bytes of what each cell has several of: with [starts] its attractors, with [uncertainty]
+    // its outcomes (cell_attractors.hpp), then, in a sweep, its samples (samples.hpp). First the cells are
+    // written, then their checksum, then the done mark: a kill in between leaves no false mark.
     void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                const TileOrigin& origin, std::span<const std::byte> several = {});
     // Rewrites a finished tile, keeping its origin: its done mark is cleared until it is complete again.
@@ -44,6 +44,8 @@ class TileStore {
     [[nodiscard]] std::vector<quantities::StoredCell> read(const parallel::Tile& tile) const;
     // Slot after slot, cell by cell; none without [starts].
     [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(const parallel::Tile& tile) const;
+    // The same of outcomes; none without [uncertainty].
+    [[nodiscard]] std::vector<quantities::StoredOutcome> read_outcomes(const parallel::Tile& tile) const;
     // One cell, after verifying its whole tile's checksum.
     [[nodiscard]] quantities::StoredCell read_cell(const parallel::CellIndex& cell) const;
     [[nodiscard]] TileState state(const parallel::Tile& tile) const;
@@ -72,6 +74,7 @@ class TileStore {
     std::int64_t samples_;                                      // of a sweep, per cell and variable
     std::vector<quantities::AttractorField> attractor_fields_;  // of a job with [starts]
     std::int64_t kept_;                                         // attractors of each cell there
+    std::vector<quantities::OutcomeField> outcome_fields_;      // of a job with [uncertainty]
     std::vector<hdf5::Stored> datasets_;  // one per field and one per variable of which a cell has several
     hdf5::Stored checksum_;
     hdf5::Stored done_;

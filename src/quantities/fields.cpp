@@ -36,9 +36,10 @@ double fill_of(const cell::Quantity& quantity) {
     return cell::unknown;
 }
 
-// For slots beyond a cell's number of attractors.
-double fill_of(const cell::AttractorQuantity& quantity) {
-    return quantity.load(StoredAttractor{});
+// For slots beyond a cell's number of attractors or outcomes.
+template <template <cell::Units> class Numbers>
+double fill_of(const cell::QuantityOf<Numbers>& quantity) {
+    return quantity.load(Numbers<cell::Units::of_file>{});
 }
 
 template <template <cell::Units> class Numbers>
@@ -92,6 +93,14 @@ std::vector<AttractorField> stored_attractor_fields(const job::Job& job) {
     return stored;
 }
 
+std::vector<OutcomeField> stored_outcome_fields(const job::Job& job) {
+    std::vector<OutcomeField> stored;
+    for (const cell::OutcomeQuantity& quantity : job::stored_outcome_quantities(job)) {
+        stored.push_back(field_of(quantity));
+    }
+    return stored;
+}
+
 std::vector<Field> attractor_fields() {
     std::vector<Field> columns;
     for (const cell::Quantity& quantity : cell::quantities) {
@@ -106,6 +115,10 @@ StoredCell in_file_units(const cell::CellResult& cell, const scene::Scales& scal
 
 StoredAttractor in_file_units(const cell::CellAttractor& attractor, const scene::Scales& scales) {
     return in_units_of_file<cell::table::attractor_rows, cell::Attractor>(attractor, scales);
+}
+
+StoredOutcome in_file_units(const cell::CellOutcome& outcome, const scene::Scales& scales) {
+    return in_units_of_file<cell::table::outcome_rows, cell::Outcome>(outcome, scales);
 }
 
 }  // namespace peterka::quantities

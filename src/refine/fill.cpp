@@ -114,22 +114,48 @@ std::vector<const cell::Quantity*> interpolated_quantities(const job::Job& job) 
     return smooth;
 }
 
-std::optional<attractors::SolvedCell> filled(const Surroundings& around,
-                                             std::span<const cell::Quantity* const> interpolated_ones,
-                                             std::int64_t starts) {
-    const std::optional<CellResult> cell = filled_cell(around, interpolated_ones);
-    if (!cell) return std::nullopt;
-    attractors::SolvedCell solved{*cell, {}};
-    if (starts == 0) return solved;
+namespace {
+
+bool fill_attractors(attractors::SolvedCell& solved, const Surroundings& around, std::int64_t starts) {
     auto attractors = filled_attractors(around, starts);
-    if (!attractors) return std::nullopt;
+    if (!attractors) return false;
     solved.attractors = std::move(*attractors);
     solved.cell.attractors = static_cast<std::int32_t>(solved.attractors.size());
     const auto slot = std::ranges::find_if(solved.attractors, [&](const attractors::CellAttractor& each) {
-        return each.regime == cell->regime && each.impacts == cell->impacts && each.period == cell->period;
+        return each.regime == solved.cell.regime && each.impacts == solved.cell.impacts &&
+               each.period == solved.cell.period;
     });
     if (slot != solved.attractors.end())
         solved.cell.start_attractor = static_cast<std::int32_t>(slot - solved.attractors.begin());
+    return true;
+}
+
+bool fill_outcomes(attractors::SolvedCell& solved, const Surroundings& around,
+                   std::span<const cell::Quantity* const> interpolated_ones, std::int64_t rigs) {
+    auto outcomes = filled_outcomes(around, rigs);
+    if (!outcomes) return false;
+    solved.outcomes = std::move(*outcomes);
+    solved.cell.outcomes = static_cast<std::int32_t>(solved.outcomes.size());
+    for (const cell::Quantity* quantity : interpolated_ones) {
+        if (!cell::is_of_uncertain_rigs(*quantity)) continue;
+        const std::optional<double> value = interpolated(
+            around, values_around(around, [&](auto i, auto j) { return quantity->load(around.at(i, j)); }));
+        if (!value) return false;
+        quantity->store(solved.cell, *value);
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<attractors::SolvedCell> filled(const Surroundings& around,
+                                             std::span<const cell::Quantity* const> interpolated_ones,
+                                             const Tries& tries) {
+    const std::optional<CellResult> cell = filled_cell(around, interpolated_ones);
+    if (!cell) return std::nullopt;
+    attractors::SolvedCell solved{*cell, {}};
+    if (tries.starts > 0 && !fill_attractors(solved, around, tries.starts)) return std::nullopt;
+    if (tries.rigs > 0 && !fill_outcomes(solved, around, interpolated_ones, tries.rigs)) return std::nullopt;
     return solved;
 }
 

@@ -9,7 +9,8 @@
 //   many narrow periodic windows. A cell that is filled on a coarse lattice decides about its whole block, so
 //   the rule is stricter there.
 // If cells have attractors (attractors/), all around must have the same ones, distinguished by their labels,
-// with smooth forces and shares; a share comes in steps of one start.
+// with smooth forces and shares; a share comes in steps of one start. The same holds for the outcomes of
+// uncertain rigs, whose quantiles must be smooth inside chaos, too.
 #pragma once
 
 #include <array>
@@ -56,6 +57,11 @@ class Surroundings {
         return cells_[row][column]->attractors;
     }
 
+    [[nodiscard]] const std::vector<attractors::CellOutcome>& outcomes_at(std::size_t row,
+                                                                          std::size_t column) const {
+        return cells_[row][column]->outcomes;
+    }
+
   private:
     const Stencil& rows_;
     const Stencil& columns_;
@@ -77,9 +83,15 @@ template <class ValueAt>
     return values;
 }
 
-// The cell, or nothing if it must be computed. starts: of each cell, besides [start].
+// Tries of each cell: starts besides [start], and rigs drawn.
+struct Tries {
+    std::int64_t starts = 0;
+    std::int64_t rigs = 0;
+};
+
+// The cell, or nothing if it must be computed.
 [[nodiscard]] std::optional<attractors::SolvedCell> filled(
     const Surroundings& around, std::span<const cell::Quantity* const> interpolated_ones,
-    std::int64_t starts = 0);
+    const Tries& tries = {});
 
 }  // namespace peterka::refine

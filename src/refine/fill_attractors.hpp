@@ -1,4 +1,5 @@
-// The attractors with which a cell is filled that lies between cells with several starts.
+// The attractors with which a cell is filled that lies between cells with several starts, and the outcomes of
+// one between cells with uncertain rigs.
 #pragma once
 
 #include <cstdint>
@@ -14,5 +15,9 @@ namespace peterka::refine {
 // share is not smooth. starts: of each cell.
 [[nodiscard]] std::optional<std::vector<attractors::CellAttractor>> filled_attractors(
     const Surroundings& around, std::int64_t starts);
+
+// The same of outcomes. rigs: drawn for each cell.
+[[nodiscard]] std::optional<std::vector<attractors::CellOutcome>> filled_outcomes(const Surroundings& around,
+                                                                                  std::int64_t rigs);
 
 }  // namespace peterka::refine

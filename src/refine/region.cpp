@@ -41,7 +41,9 @@ std::vector<Line> lines_in(std::int64_t points, std::size_t level, Interval inte
 
 std::size_t size_of_cell(const job::Job& job) {
     const std::int64_t kept = job.starts.count > 0 ? job.starts.attractors : 0;
-    return sizeof(SolvedCell) + static_cast<std::size_t>(kept) * sizeof(attractors::CellAttractor);
+    const std::int64_t outcomes = job.uncertainty.rigs > 0 ? cell::kept_outcomes : 0;
+    return sizeof(SolvedCell) + static_cast<std::size_t>(kept) * sizeof(attractors::CellAttractor) +
+           static_cast<std::size_t>(outcomes) * sizeof(attractors::CellOutcome);
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ std::size_t size_of_cell(const job::Job& job) {
 Region::Region(const job::Job& job, const parallel::Tile& rectangle)
     : grid_{job.rows.points, job.columns.points},
       interpolated_(interpolated_quantities(job)),
-      starts_(job.starts.count),
+      tries_{job.starts.count, job.uncertainty.rigs},
       needed_(needed_for(job, rectangle)),
       levels_to_do_(needed_.size()),
       cells_(needed_.back().cells()) {}
@@ -120,7 +122,7 @@ void Region::refine(std::size_t level) {
                     around.set(i, j, cells_[index(row.stencil.positions[i], column.stencil.positions[j])]);
                 }
             }
-            const std::optional<SolvedCell> cell = filled(around, interpolated_, starts_);
+            const std::optional<SolvedCell> cell = filled(around, interpolated_, tries_);
             if (cell) {
                 cells_[index(row.position, column.position)] = *cell;
             } else {

@@ -54,7 +54,7 @@ class Region {
 
     parallel::Extent grid_;
     std::vector<const cell::Quantity*> interpolated_;
-    std::int64_t starts_;            // of each cell, besides [start]
+    Tries tries_;                    // of each cell
     std::vector<Rectangle> needed_;  // by level: cells whose values are used, on the lattice of stride 2^level
     std::size_t levels_to_do_;
     std::vector<parallel::CellIndex> to_compute_;

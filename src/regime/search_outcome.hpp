@@ -26,6 +26,9 @@ struct SearchOutcome {
 // The outcome of a search from one start.
 [[nodiscard]] Task<SearchOutcome> outcome_of(Task<CellResult> search);
 
+// Whether searches are on rigs that the scene has, or each on a rig of its own.
+enum class Rigs { of_scene, of_each };
+
 // Begins a search whose cycles are served at the broker.
 using SearchFactory = std::function<Task<SearchOutcome>(CycleBroker& broker)>;
 

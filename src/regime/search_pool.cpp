@@ -24,9 +24,11 @@ constexpr double seconds_alone = 0.2e-3;   // that a step may spend on them
 
 // A search in progress.
 struct SearchPool::Member : Reused {
-    Member(const SearchFactory& begin, std::int64_t its_number) : number(its_number), search(begin(broker)) {}
+    Member(const SearchFactory& begin, std::int64_t its_number, bool has_own_rig)
+        : number(its_number), own_rig(has_own_rig), search(begin(broker)) {}
 
     std::int64_t number;
+    bool own_rig;  // that others in its batch needn't have
     CycleBroker broker;
     Task<SearchOutcome> search;
     std::int64_t engine = 0;     // broker.engines_used() for which the batch was chosen
@@ -115,8 +117,8 @@ void SearchPool::add(std::int64_t row, std::int64_t column, std::int64_t number)
         number);
 }
 
-void SearchPool::add(const SearchFactory& begin, std::int64_t number) {
-    auto cell = std::make_unique<Member>(begin, number);
+void SearchPool::add(const SearchFactory& begin, std::int64_t number, Rigs rigs) {
+    auto cell = std::make_unique<Member>(begin, number, rigs == Rigs::of_each || scene_.rigs_differ());
     ++in_hand_;
     ++searches_;
     const Stopwatch stopwatch;
@@ -144,7 +146,7 @@ std::optional<SearchPool::Batch> SearchPool::batch_of(const CycleBroker& broker)
 SearchPool::Group& SearchPool::group_for(const Member& cell) {
     const auto found = std::ranges::find(groups_, *cell.batch, &Group::kind);
     if (found != groups_.end()) return *found;
-    if (scene_.rigs_differ()) return groups_.emplace_back(*cell.batch);
+    if (cell.own_rig) return groups_.emplace_back(*cell.batch);
     return groups_.emplace_back(cell.broker.oscillator(), *cell.batch);
 }
 
@@ -153,6 +155,7 @@ void SearchPool::enter(std::unique_ptr<Member> cell) {
     if (cell->engine != cell->broker.engines_used()) {
         cell->engine = cell->broker.engines_used();
         cell->batch = batch_of(cell->broker);
+        if (cell->batch) cell->batch->rigs_differ = cell->own_rig;
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
@@ -160,7 +163,7 @@ void SearchPool::enter(std::unique_ptr<Member> cell) {
     }
     const scene::Oscillator<double>& oscillator = cell->broker.oscillator();
     Group& group = group_for(*cell);
-    if (scene_.rigs_differ()) {
+    if (cell->own_rig) {
         group.map.add(oscillator, cell->broker.order().from);
     } else {
         group.map.add(oscillator.frequency, oscillator.gap, cell->broker.order().from);

@@ -47,8 +47,8 @@ class SearchPool {
     [[nodiscard]] bool has_room() const;
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
-    // Adds any search on the same rig.
-    void add(const SearchFactory& begin, std::int64_t number);
+    // Adds any search, on a rig of the scene or on one of its own.
+    void add(const SearchFactory& begin, std::int64_t number, Rigs rigs = Rigs::of_scene);
     // Searches begun so far; cells that never meet the stop have none.
     [[nodiscard]] std::int64_t searches() const { return searches_; }
 
@@ -65,6 +65,7 @@ class SearchPool {
         batch::Springs springs;
         int steps;  // per cycle
         batch::Stop stop;
+        bool rigs_differ = false;
         friend bool operator==(const Batch&, const Batch&) = default;
     };
     static std::optional<Batch> batch_of(const CycleBroker& broker);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "regime/cell_result.hpp"
 #include "support/readable.hpp"
 
@@ -27,17 +29,16 @@ std::string differing(const map_file::AuditReport& audit) {
     return text + "\n";
 }
 
-// Where some starts of the audited cells end, by an integrator.
-std::string audited_starts(const map_file::AuditReport& audit) {
-    if (audit.starts == 0) return "";
-    const std::int64_t same = audit.starts - audit.starts_elsewhere;
-    std::string text =
-        fmt::format("  starts              {} of {} ({}) end on the attractor that the map says",
-                    readable_count(same), readable_count(audit.starts), readable_share(same, audit.starts));
-    if (audit.starts_elsewhere > 0) {
+// Where some starts or drawn rigs of the audited cells end, by an integrator.
+std::string audited_tries(std::string_view name, const map_file::AuditReport::Tries& tries,
+                          std::string_view end) {
+    if (tries.solved == 0) return "";
+    const std::int64_t same = tries.solved - tries.elsewhere;
+    std::string text = fmt::format("  {:<19} {} of {} ({}) {} that the map says", name, readable_count(same),
+                                   readable_count(tries.solved), readable_share(same, tries.solved), end);
+    if (tries.elsewhere > 0) {
         text += fmt::format("; in {} of the other {} rounding decides",
-                            readable_count(audit.starts_decided_by_rounding),
-                            readable_count(audit.starts_elsewhere));
+                            readable_count(tries.decided_by_rounding), readable_count(tries.elsewhere));
     }
     return text + "\n";
 }
@@ -58,7 +59,8 @@ std::string audit_summary(const map_file::AuditReport& audit, double seconds_per
             audit.median_force_error, audit.force_error_99_percent, audit.largest_force_error,
             readable_count(audit.compared));
     }
-    text += audited_starts(audit);
+    text += audited_tries("starts", audit.starts, "end on the attractor");
+    text += audited_tries("rigs", audit.rigs, "have the outcome");
     return text + fmt::format("  time per cell       {} by the integrator, {} in the map\n",
                               readable_duration(audit.seconds_per_cell), readable_duration(seconds_per_cell));
 }

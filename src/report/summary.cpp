@@ -16,6 +16,7 @@
 #include "report/certificate_summary.hpp"
 #include "report/kicks_summary.hpp"
 #include "report/long_chaos.hpp"
+#include "report/outcomes_summary.hpp"
 #include "report/regime_words.hpp"
 #include "report/starts_inside.hpp"
 #include "report/starts_summary.hpp"
@@ -165,6 +166,7 @@ std::string summary_text(const SummaryInput& input) {
            basin_summary(input.scene, input.findings.basin) +
            long_chaos_in_words(input.scene, input.findings.statistics) +
            starts_summary(input.scene, input.findings.statistics.starts) +
+           outcomes_summary(input.scene.job(), input.findings.statistics.outcomes) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) +

@@ -7,7 +7,7 @@
 #include "parallel/dealing.hpp"
 #include "regime/solve_cell.hpp"
 #include "run/audit_sample.hpp"
-#include "run/audit_starts.hpp"
+#include "run/audit_tries.hpp"
 #include "run/progress_style.hpp"
 #include "support/stopwatch.hpp"
 
@@ -73,6 +73,7 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
     const StoredCell again = quantities::in_file_units(regime::solve_again(scene, row, column, first.engine),
                                                        scene.cell(row, column).scales);
     const bool agrees = regime::same_label(first, again);
+    const AuditedCell tries = audit_tries(scene, row, column);
     return {.cell = row * scene.columns() + column,
             .row = row,
             .column = column,
@@ -80,7 +81,8 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
             .force_error = force_error(first, again),
             .sensitivity = agrees ? regime::unknown : largest_sensitivity(scene, row, column, again),
             .agrees = agrees,
-            .starts = audit_starts(scene, row, column),
+            .starts = tries.starts,
+            .rigs = tries.rigs,
             .seconds = stopwatch.seconds()};
 }
 

@@ -23,6 +23,7 @@ job::Job coarse_job(const job::Job& map) {
     coarse.columns.points = std::min(coarse.columns.points, most_points);
     coarse.rows.points = std::min(coarse.rows.points, most_points);
     coarse.starts = {};
+    coarse.uncertainty = {};
     coarse.refine = {};
     coarse.output = {};
     coarse.audit = {};

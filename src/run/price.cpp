@@ -14,6 +14,7 @@
 #include "regime/branch.hpp"
 #include "regime/cycles_for_chaos.hpp"
 #include "regime/engine.hpp"
+#include "report/outcomes_summary.hpp"
 #include "run/memory_left.hpp"
 #include "scene/scene.hpp"
 #include "support/readable.hpp"
@@ -24,7 +25,7 @@ namespace {
 // Memory of hundreds of cells in progress, where they are solved side by side [bytes]; as measured.
 std::int64_t cells_in_hand_bytes(const job::Job& job) {
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
-    const bool one_by_one = job.kind == job::Kind::sweep && job.starts.count == 0;
+    const bool one_by_one = job.kind == job::Kind::sweep && job.starts.count == 0 && job.uncertainty.rigs == 0;
     if (one_by_one || !regime::may_use_batch(rig, job.solver)) return 0;
     return job.kind == job::Kind::basin ? 4'000'000 : 26'000'000;
 }
@@ -89,6 +90,12 @@ double cycles_of_starts(const job::Job& job) {
     return 47 * count + 50 * std::min(count, 12.0);
 }
 
+// Forcing cycles of the rigs drawn for a cell, as counted on the same window (32 x 32 cells, 64 rigs): each
+// runs in full, from [start], which hardly moves most of them, or from a start of its own.
+double cycles_of_rigs(const job::Job& job) {
+    return static_cast<double>(job.uncertainty.rigs) * (job.starts.count > 0 ? 86 : 35);
+}
+
 // Cost of kicks on the plane of the paper's rig of 170 mm (16 x 16 cells, 16 starts), in cycles of the batch:
 // 850,000 for all attractors of a cell, mostly for long chaotic returns; and 34,000 for its own motion, each at
 // twice the time, as the kicks of one orbit fill the lanes less evenly.
@@ -149,6 +156,20 @@ std::string starts_price(const job::Job& job) {
     if (job.starts.count == 0) return fmt::format("#   kicks    of the orbit of each cell: {}\n", words);
     return fmt::format("#   starts   {} in each {}, {:.3g} in all{}: {}\n", readable_count(job.starts.count),
                        is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
+}
+
+std::string rigs_price(const job::Job& job) {
+    if (job.uncertainty.rigs == 0) return "";
+    constexpr double own_rig = 1.2;  // a cycle where each has its own
+    const bool is_sweep = job.kind == job::Kind::sweep;
+    const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
+    const double cells = static_cast<double>(job.cells()) / shared;
+    const double seconds = cells * cycles_of_rigs(job) * own_rig * microseconds_of_a_cycle(job) * 1e-6;
+    const std::string again = drawn_again_in_words(job);
+    return fmt::format("#   draws    {} rigs in each {}, {:.3g} in all: some {} of one core, about{}\n",
+                       readable_count(job.uncertainty.rigs), is_sweep ? "point" : "cell",
+                       static_cast<double>(job.uncertainty.rigs) * cells, readable_duration(seconds),
+                       again.empty() ? "" : "; " + again);
 }
 
 // On one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,

@@ -20,6 +20,9 @@ namespace peterka {
 // The time that [starts] take, as a line of check; empty if there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 
+// The time that the rigs of [uncertainty] take, as a line of check; empty if there are none.
+[[nodiscard]] std::string rigs_price(const job::Job& job);
+
 // The cost of telling chaos from a long transient where max_cycles are too few for that in this rig, as a line
 // of check; empty if they suffice.
 [[nodiscard]] std::string long_chaos_price(const job::Job& job);

@@ -30,6 +30,16 @@ void name_attractors(std::vector<BranchPoint>& branches, std::vector<PointAttrac
     }
 }
 
+// What the rigs drawn at a point tell, whichever branch is on it.
+void tell_of_rigs(std::vector<BranchPoint>& branches, const std::vector<PointAttractors>& points) {
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        const regime::CellResult& of_rigs = points[i % points.size()].of_rigs;
+        for (const cell::Quantity& quantity : cell::quantities) {
+            if (cell::is_of_uncertain_rigs(quantity)) quantity.store(branches[i].cell, quantity.load(of_rigs));
+        }
+    }
+}
+
 }  // namespace
 
 std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whole_branches(
@@ -39,6 +49,8 @@ std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whol
         std::vector<PointAttractors> attractors;
         if (scene.job().starts.count > 0) {
             attractors = attractors::find_along_branch(scene, tile.row, poll);
+        } else if (scene.job().uncertainty.rigs > 0) {
+            attractors = attractors::find_outcomes_along_branch(scene, tile.row, poll);
         }
         std::vector<BranchPoint> points;
         for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
@@ -50,7 +62,8 @@ std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whol
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));
         }
-        name_attractors(points, attractors, scene.job().starts.attractors);
+        if (scene.job().starts.count > 0) name_attractors(points, attractors, scene.job().starts.attractors);
+        if (scene.job().uncertainty.rigs > 0) tell_of_rigs(points, attractors);
         file.write_branches(tile, points, attractors, stopwatch.seconds());
     };
 }

@@ -20,7 +20,7 @@ double Scales::in_unit_of_file(double number, cell::Dimension dimension) const {
     switch (dimension) {
         case cell::Dimension::label:
         case cell::Dimension::number:
-        case cell::Dimension::bound_of_speed:
+        case cell::Dimension::speed_of_file:
             break;
         case cell::Dimension::force_over_weight:
             return number * force_ratio();

@@ -37,9 +37,10 @@ def whole_job(piece):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """With a map that contains the cell named by fragments, and with the jobs, as in a clone."""
+    """With a map that contains the cell, and a file of the numbers, that fragments name, and with the jobs, as in a clone."""
     path = tmp_path_factory.mktemp("clone")
     (path / "jobs").symlink_to(JOBS)
+    (path / "stop_identified.toml").write_text('[covariance]\nof = ["contact.stiffness_n_per_m"]\nmean = [5.5e6]\nmatrix = [[1e10]]\n')
     subprocess.run([BINARY, "run", "jobs/peterka_170mm.toml", "--quiet", "--set", "axes.frequency_ratio.points=301", "--set",
                     "axes.gap_ratio.points=101", "--set", "audit.cells=0", "--set", "steady_state.max_cycles=10"], cwd=path, check=True)
     return path
@@ -47,7 +48,7 @@ def folder(tmp_path_factory):
 
 def test_all_tables_of_a_job_that_a_page_tells_of_have_a_piece():
     assert set(re.findall(r"^\[(\w+)", "".join(PIECES), re.MULTILINE)) >= {"operating_point", "axes", "starts", "sweep", "curves",
-                                                                           "trace", "basin"}
+                                                                           "trace", "basin", "uncertainty"}
 
 
 @pytest.mark.parametrize("number", range(len(PIECES)))
@@ -90,11 +91,11 @@ def test_keys_of_a_trace_are_told():
     assert first_column(JOBS / "README.md", "| key of `[trace]` |") == {*keys, "map", "row", "column"}
 
 
-def test_variables_of_attractors_sweeps_and_curves_are_told():
-    rows = re.findall(r'^    \{"(\w+)", of_attractor\(', (SOURCE / "cell" / "quantities.hpp").read_text(), re.MULTILINE)
+def test_variables_of_attractors_outcomes_sweeps_and_curves_are_told():
+    rows = re.findall(r'^    \{"(\w+)", of_(?:attractor|outcome)\(', (SOURCE / "cell" / "quantities.hpp").read_text(), re.MULTILINE)
     files = ("map_file/samples.hpp", "map_file/attractor_samples.hpp", "curves/tables.cpp", "curves/branch_tables.cpp")
     names = rows + [name for file in files for name in re.findall(r'\{"(\w+)",\s*(?:hdf5::)?Number::', (SOURCE / file).read_text())]
-    assert len(rows) == 15 and len(names) > 51
+    assert len(rows) == 19 and len(names) > 51
     page = (ROOT / "postprocess" / "README.md").read_text()
     assert [name for name in names if f"`{name}`" not in page] == []
 

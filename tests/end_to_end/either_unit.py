@@ -62,6 +62,13 @@ def starts(unit):
     return "[starts]\ncount = 6\n" + unit.line("displacement", [-3.0, 0.5]) + unit.line("velocity", [-2.0, 3.0])
 
 
+def uncertain(unit):
+    return ("[uncertainty]\nrigs = 20\n[uncertainty.hammer]\nnatural_frequency_hz = { relative = 0.01 }\n[uncertainty.cart]\n"
+            "amplitude_m = { relative = 0.05 }\n[uncertainty.operating_point]\n"
+            f"{unit.key('gap')} = {{ standard_deviation = {unit.number('gap', 0.03)!r} }}\n"
+            f"{unit.key('frequency')} = {{ from = {unit.number('frequency', -0.02)!r}, to = {unit.number('frequency', 0.02)!r} }}\n")
+
+
 def swept(unit, more=""):
     return (rig("sweep") + unit.axis("frequency", 1.5, 2.6, 12) + "[sweep]\nsamples = 8\n" + unit.line("gap", [0.5, 1.5]) + more)
 
@@ -73,6 +80,7 @@ FEATURES = {
     "map, logarithmic": lambda unit: rig("map") + unit.axis("frequency", 0.5, 4, 6) + 'scale = "log"\n' + unit.axis("gap", 0, 2, 6),
     "map, refined": lambda unit: rig("map") + plane(unit, 17) + "[refine]\nlevels = 2\n",
     "map with starts": lambda unit: rig("map") + plane(unit, 6) + start(unit) + starts(unit),
+    "map with uncertain rigs": lambda unit: rig("map") + plane(unit, 5, (1.8, 2.4), (0.2, 1.0)) + start(unit) + uncertain(unit),
     "map with an audit": lambda unit: rig("map") + plane(unit, 5) + "[audit]\ncells = 5\n",
     "map with kicks": lambda unit: rig("map") + plane(unit, 2, (1.9, 2.1), (0.2, 0.4)) + '[output]\nfields = ["critical_kick"]\n',
     "map with borders": lambda unit: rig("map") + plane(unit, 12) + "[curves]\nmax_period = 1\n" + unit.line("gap", [1.5]),

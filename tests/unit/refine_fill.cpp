@@ -40,6 +40,10 @@ class Around {
         cells_[i].attractors = attractors;
         cells_[i].cell.attractors = static_cast<std::int32_t>(attractors.size());
     }
+    void set_outcomes(std::size_t i, const std::vector<attractors::CellOutcome>& outcomes) {
+        cells_[i].outcomes = outcomes;
+        cells_[i].cell.outcomes = static_cast<std::int32_t>(outcomes.size());
+    }
     [[nodiscard]] std::optional<CellResult> filled(const job::Job& job = {}) const {
         const auto solved = filled_with_attractors(job);
         return solved ? std::optional(solved->cell) : std::nullopt;
@@ -49,7 +53,7 @@ class Around {
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             around.set(i / columns_.size, i % columns_.size, cells_[i]);
         }
-        return refine::filled(around, interpolated_quantities(job), job.starts.count);
+        return refine::filled(around, interpolated_quantities(job), {job.starts.count, job.uncertainty.rigs});
     }
 
   private:
@@ -250,6 +254,63 @@ TEST(RefineFill, NotWhereAttractorsDifferAnywhereAround) {
             changes[which](changed);
             around.set_attractors(place, changed);
             EXPECT_FALSE(around.filled_with_attractors(with_starts(64))) << which << " at " << place;
+        }
+    }
+}
+
+// Two outcomes, whose probabilities and quantiles change along the rows.
+Around with_outcomes(CellResult (*value)(double, double)) {
+    Around around(value, 13, 22);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        const double share = 0.3 + 0.001 * static_cast<double>(i / 4);
+        around.set_outcomes(i, {{Regime::periodic, 2, 4, 1 - share}, {Regime::no_impact, 0, 1, share}});
+        around[i].drawn_q05 = around[i].drawn_q50 = around[i].drawn_q95 =
+            40 + 0.01 * static_cast<double>(i / 4);
+    }
+    return around;
+}
+
+job::Job with_rigs() {
+    job::Job job;
+    job.uncertainty.rigs = 64;
+    return job;
+}
+
+TEST(RefineFill, OutcomesOfDrawnRigs) {
+    for (auto* value : {smooth, chaotic}) {
+        const auto solved = with_outcomes(value).filled_with_attractors(with_rigs());
+        ASSERT_TRUE(solved);
+        ASSERT_EQ(solved->outcomes.size(), 2U);
+        EXPECT_EQ(solved->cell.outcomes, 2);
+        EXPECT_EQ(solved->outcomes[0].impacts, 2);
+        EXPECT_EQ(solved->outcomes[1].regime, Regime::no_impact);
+        EXPECT_NEAR(solved->outcomes[0].probability + solved->outcomes[1].probability, 1, 1e-12);
+        EXPECT_NEAR(solved->cell.drawn_q95, 40, 0.05);
+    }
+    EXPECT_TRUE(Around(smooth, 13, 22).filled_with_attractors({})->outcomes.empty());
+}
+
+TEST(RefineFill, OtherOutcomesOrRoughQuantilesForbidIt) {
+    const std::vector<std::function<void(Around&, std::size_t)>> changes{
+        [](Around& around, std::size_t i) {
+            around.set_outcomes(i, {{Regime::periodic, 2, 4, 1.0}});
+        },
+        [](Around& around, std::size_t i) {
+            around.set_outcomes(i, {{Regime::periodic, 3, 4, 0.7}, {Regime::no_impact, 0, 1, 0.3}});
+        },
+        [](Around& around, std::size_t i) {
+            around.set_outcomes(i, {{Regime::periodic, 2, 4, 0.5}, {Regime::no_impact, 0, 1, 0.5}});
+        },
+        [](Around& around, std::size_t i) { around[i].outcomes = 9; },
+        [](Around& around, std::size_t i) { around[i].drawn_q95 += 3; },
+    };
+    for (auto* value : {smooth, chaotic}) {
+        for (std::size_t which = 0; which < changes.size(); ++which) {
+            for (std::size_t place = 0; place < 16; ++place) {
+                Around around = with_outcomes(value);
+                changes[which](around, place);
+                EXPECT_FALSE(around.filled_with_attractors(with_rigs())) << which << " at " << place;
+            }
         }
     }
 }
