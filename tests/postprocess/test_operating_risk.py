@@ -164,4 +164,4 @@ def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path):
     with PeterkaFile(path) as file:
         changes, words = fresh_draws._offsets(file, (0.5, 0.1))
     assert set(changes) == {f"uncertainty.operating_point.frequency_hz.{end}" for end in ("from", "to")}
-    assert words == "at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it)"
+    assert words == "at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it, without drift)"

@@ -2,8 +2,8 @@
 all but 5 % of them reach.
 
 Lines are drawn at probabilities that the number of draws can tell (peterka/sampling.py). Outcomes that a file doesn't keep, because
-others are commoner, count as none of the motions. In colour the commonest outcome is the paler the less likely it is; in grey, where
-lightness tells classes apart, lines alone tell how likely it is.
+others are commoner, count as none of the motions asked for, but as impacts: most kinds of outcomes are p/q. In colour the commonest
+outcome is the paler the less likely it is; in grey, where lightness tells classes apart, a line alone tells where it is likely.
 """
 
 from dataclasses import replace
@@ -17,7 +17,7 @@ from matplotlib.lines import Line2D
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from ..arrays import Integers, Mask
-from ..files.regimes import FAILED, NOT_COMPUTED
+from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, SUSTAINED_CONTACT, UNRESOLVED
 from ..plotting import axes, style, units
 from ..plotting.classes import CLASSES, INDEX, classify
 from ..plotting.coordinates import either
@@ -28,7 +28,7 @@ from . import field_map
 from .attractor_maps import LEAST_SHARE, MOST_CLASSES, SHARES, reduced_values
 from .field_map import Field, Scale, scale_colours
 from .map_file import PeterkaFile
-from .outcomes import OUTCOMES, Draws, draws_of, probability, quantiles
+from .outcomes import OUTCOMES, Draws, draws_of, is_class, probability, quantiles
 from .reduce import Reduced, orbit_picture
 
 WIDTH = 3.7  # in
@@ -36,6 +36,8 @@ LINES = {0.5: (0, (1, 1.4)), 0.9: (0, (4, 1.6)), 0.95: "-"}  # probability: line
 LEVELS = ((0.95, 0.0), (0.75, 0.3), (0.5, 0.55), (0.0, 0.75))  # probability from which on, and share of white in the colour
 LABELS = ["outcome_regime", "outcome_impacts", "outcome_period", "outcome_probability"]
 IMPACTS = "impacts"
+WITHOUT_IMPACTS = (NO_IMPACT, SUSTAINED_CONTACT, UNRESOLVED, FAILED)  # kinds of outcomes
+SPECK = 2.0  # cells: lines around less, as around one alone, are left out
 ASSURED = 5  # %: of the quantile that all but so many draws reach
 _COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # requested once for each of PROBABILITIES
 PROBABILITIES = {f"probability_{name.removeprefix('share_')}": entry.label for name, entry in SHARES.items()}
@@ -80,7 +82,7 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     reduced, counts = orbit_picture(file, ["regime", *LABELS[:3]], lambda _, *slots: classify(*(slot[0] for slot in slots)))
     likely = reduced_values(file, ["regime", *LABELS], lambda regime, *slots: _computed(regime, slots[3][0]), None)
     told, untold = lines_that_draws_tell(draws)
-    levels = told if style.is_grey() else [level for level in told if level == max(LINES)]
+    levels = told[-1:]
     orbits: list[Artist] = []
     others: list[Artist] = []
     for n in np.flatnonzero(counts):
@@ -113,7 +115,13 @@ def has_quantiles(file: PeterkaFile) -> bool:
 
 def probabilities(file: PeterkaFile, wanted: str) -> Reduced:
     """The probability of what is wanted (maps/outcomes.py) over the plane; NaN where nothing is computed."""
-    return reduced_values(file, ["regime", *LABELS], lambda regime, *slots: _computed(regime, probability(wanted, *slots)), None)
+    counts_others = wanted == IMPACTS and file.data.has("outcome_others")
+
+    def values(regime, *slots):
+        unkept = np.nan_to_num(slots[4]) if counts_others else 0.0
+        return _computed(regime, probability(wanted, *slots[:4]) + unkept)
+
+    return reduced_values(file, ["regime", *LABELS, *["outcome_others"] * counts_others], values, None)
 
 
 def lines_that_draws_tell(draws: Draws) -> tuple[list[float], list[str]]:
@@ -128,12 +136,24 @@ def _told(file, draws, more, place=True):
 
 
 def _has_others(file, wanted):
-    """What a picture of one motion says of outcomes that aren't kept."""
-    if wanted == IMPACTS or not file.data.has("outcome_others"):
+    """What a picture says of outcomes that aren't kept, none of which is likelier than the last one that is."""
+    if not file.data.has("outcome_others"):
         return []
-    most = max(float(np.nanmax(np.where(band["regime"] == NOT_COMPUTED, 0.0, band["outcome_others"]), initial=0.0))
-               for _, band in file.bands(["regime", "outcome_others"]))
-    return [f"up to {100 * most:.2g} % of a cell's rigs end in motions that the file doesn't keep: they don't count"] if most > 0 else []
+    most = max(_may_be_off(wanted, band) for _, band in file.bands(["regime", "outcome_others", *OUTCOMES]))
+    return [f"where a cell has more than {file.outcome_slots} outcomes, it may have {100 * most:.2g} % "
+            f"{'less' if wanted == IMPACTS else 'more'}"] if most > 0 else []
+
+
+def _may_be_off(wanted, band):
+    """By how much a probability may be off in a cell of a band, at most: the kinds asked for, or those without impacts, that aren't
+    among the kept ones."""
+    labels, shares, others = [band[name] for name in LABELS[:3]], band[LABELS[3]], np.nan_to_num(band["outcome_others"])
+    if wanted == IMPACTS:
+        missing = len(WITHOUT_IMPACTS) - np.isin(labels[0], WITHOUT_IMPACTS).sum(axis=0)
+    else:
+        missing = 1 - is_class(wanted, *labels).any(axis=0)
+    off = np.minimum(others, missing * np.nan_to_num(shares[-1]))
+    return float(np.max(np.where(band["regime"] == NOT_COMPUTED, 0.0, off), initial=0.0))
 
 
 def _commonest(file):
@@ -219,7 +239,10 @@ def _draw_lines(ax, reduced, levels):
             for edges, log in ((reduced.column_edges, reduced.log[1]), (reduced.row_edges, reduced.log[0])))
     limits = ax.get_xlim(), ax.get_ylim()
     lines = contour_generator(x, y, np.ma.masked_invalid(reduced.image))
+    cell = np.array([np.ptp(values) / (len(values) - 1) for values in (x, y)])
     for level in levels:
         for line in lines.lines(level):
+            if np.all(np.ptp(line, axis=0) < SPECK * cell):
+                continue
             ax.plot(*line.T, path_effects=axes.outline(1.8), zorder=3, **_look(level))
     ax.set(xlim=limits[0], ylim=limits[1])

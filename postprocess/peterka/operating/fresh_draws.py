@@ -74,7 +74,7 @@ def _offsets(file, drift):
         width = dict(zip(SI, drift))[unit.unit]
         key, factor = SI[unit.unit]
         if re.search(rf"^\[uncertainty\.operating_point\.{key.split('_')[0]}_", job, re.MULTILINE):
-            words.append(f"{unit.what} as uncertain as the job has it")
+            words.append(f"{unit.what} as uncertain as the job has it, without drift")
         elif width > 0:
             changes |= {f"uncertainty.operating_point.{key}.from": -width * factor, f"uncertainty.operating_point.{key}.to": width * factor}
             words.append(f"{unit.what} within ±{width:g} {unit.unit}")
