@@ -82,7 +82,7 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     reduced, counts = orbit_picture(file, ["regime", *LABELS[:3]], lambda _, *slots: classify(*(slot[0] for slot in slots)))
     likely = reduced_values(file, ["regime", *LABELS], lambda regime, *slots: _computed(regime, slots[3][0]), None)
     told, untold = lines_that_draws_tell(draws)
-    levels = told[-1:]
+    levels = told[-1:] if style.is_grey() or max(LINES) in told else []
     orbits: list[Artist] = []
     others: list[Artist] = []
     for n in np.flatnonzero(counts):

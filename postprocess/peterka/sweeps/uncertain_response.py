@@ -1,7 +1,7 @@
 """Frequency response of uncertain rigs: per gap, the band that holds the peak forces of all but the lowest and the highest 5 % of the
-drawn rigs, their median, and the job's own rig, with measured points over them.
+drawn rigs, their median, and the branches of the job's own rig, with measured points over them.
 
-A rig that doesn't impact counts with force 0. Without forces, as on a rigid stop, the band is that of impact speeds.
+Drawn rigs begin at starts of their own, not where a branch is, so that all branches of a gap have the same band. A rig that doesn't impact counts with force 0. Without forces, as on a rigid stop, the band is that of impact speeds.
 """
 
 from collections.abc import Iterable
@@ -19,14 +19,14 @@ from . import sweep_panels
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS, direction_words
 
-PALE = 0.22  # opacity of a band
-OWN = {"color": "#555555", "linewidth": 0.6, "linestyle": (0, (1, 1))}
+BAND, MEDIAN = {"facecolor": "#B8C4CE", "linewidth": 0}, {"color": "black", "linewidth": 1.3}
+OWN_WIDTH = 0.8  # pt, of the branches of the job's own rig, in the looks of their directions
 
 
 @picture(SweepFile)
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> list[Axes] | None:
     """The bands as a list of Axes, one per gap; None if no drawn rig impacts."""
-    bands = {branch.row: file.force_quantiles(branch) for branch in file.branches}
+    bands = {gap: file.force_quantiles(file.at_gap(gap)[0]) for gap in file.gaps}
     largest = max(float(np.nanmax(band, initial=0.0)) for band in bands.values())
     if not largest > 0:
         return None
@@ -37,11 +37,14 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     label = r"peak force $F/(m\,g)$" if is_force else "impact speed (m/s)"
     panels = sweep_panels.panels(file, handles, label, second, ax, log=style.current().log, told=draws.in_words)
     for gap, panel in panels.items():
-        for branch in file.at_gap(gap):
-            _draw_band(panel, file, branch, bands[branch.row], is_force)
-        tops = [float(np.nanmax(bands[branch.row], initial=0.0)) for branch in file.at_gap(gap)]
+        _draw_band(panel, file, bands[gap])
+        for branch in file.at_gap(gap) if is_force else ():
+            look = LOOKS[branch.direction]
+            panel.plot(file.values, branch.force, color=look.colour, linestyle=look.linestyle, linewidth=OWN_WIDTH, zorder=look.zorder)
+        tops = [float(np.nanmax(bands[gap], initial=0.0))]
+        tops += [float(np.nanmax(branch.force, initial=0.0)) for branch in file.at_gap(gap) if is_force]
         tops += [point.force + point.errors.get("force", 0.0) for point in shown.at_gap(gap) if point.force is not None]
-        panel.set_ylim(*_limits(file, second, 1.06 * max(tops) or 1.0, [bands[branch.row] for branch in file.at_gap(gap)]))
+        panel.set_ylim(*_limits(file, second, 1.06 * max(tops) or 1.0, bands[gap]))
         sweep_panels.draw_measured(panel, shown, gap, "force")
     return list(panels.values())
 
@@ -57,8 +60,8 @@ def has_force_bands(file: SweepFile) -> bool:
 
 
 def inside_in_words(file: SweepFile, points: Iterable[Point]) -> str:
-    """How many of the points with a force lie in a band of their gap, between the sweep's points by interpolation."""
-    found = [any(_holds(file, branch, point) for branch in file.at_gap(point.gap if point.gap is not None else file.gaps[0]))
+    """How many of the points with a force lie in the band of their gap, between the sweep's points by interpolation."""
+    found = [_holds(file, file.at_gap(point.gap if point.gap is not None else file.gaps[0])[0], point)
              for point in points if point.force is not None and lies_between(file.values, point.frequency)]
     return f"{sum(found)} of {len(found)} measured forces lie where nine of ten drawn rigs have theirs (5 to 95 %)"
 
@@ -68,25 +71,19 @@ def _holds(file, branch, point):
     return bool(low <= point.force <= high)
 
 
-def _draw_band(panel, file, branch, band, is_force):
-    look, x = LOOKS[branch.direction], file.values
+def _draw_band(panel, file, band):
     low, median, high = band
-    panel.fill_between(x, low, high, facecolor=look.colour, alpha=PALE, linewidth=0, zorder=look.zorder - 0.6)
-    for edge in (low, high):
-        panel.plot(x, edge, color=look.colour, linestyle=look.linestyle, linewidth=0.4, zorder=look.zorder - 0.5)
-    panel.plot(x, median, color=look.colour, linestyle=look.linestyle, linewidth=look.linewidth, zorder=look.zorder)
-    if is_force:
-        panel.plot(x, branch.force, zorder=look.zorder + 0.5, **OWN)
+    panel.fill_between(file.values, low, high, zorder=1.2, **BAND)
+    panel.plot(file.values, median, zorder=1.8, **MEDIAN)
 
 
 def _handles(file, is_force):
-    handles: list = []
-    for name in sweep_panels.directions(file):
+    handles: list = [Patch(label=f"{QUANTILES[0]} to {QUANTILES[-1]} % of the rigs", **BAND), Line2D([], [], label="their median", **MEDIAN)]
+    for name in sweep_panels.directions(file) if is_force else ():
         look = LOOKS[name]
-        words = direction_words(file, name)
-        handles.append(Patch(facecolor=look.colour, alpha=PALE, linewidth=0, label=f"{QUANTILES[0]} to {QUANTILES[-1]} %, {words}"))
-        handles.append(Line2D([], [], color=look.colour, linestyle=look.linestyle, linewidth=look.linewidth, label=f"median, {words}"))
-    return [*handles, Line2D([], [], label="the job's own rig", **OWN)] if is_force else handles
+        handles.append(Line2D([], [], color=look.colour, linestyle=look.linestyle, linewidth=OWN_WIDTH,
+                              label=f"the job's own, {direction_words(file, name)}"))
+    return handles
 
 
 def _second_scale(file, largest):
@@ -96,11 +93,11 @@ def _second_scale(file, largest):
     return f"peak force ({unit})", file.newtons * factor
 
 
-def _limits(file, second, top, bands):
+def _limits(file, second, top, band):
     """(bottom, top) of a panel. Requested limits are in the numbers of the scale."""
     if style.current().limits:
         factor = second[1] if second and style.current().units == "si" else 1.0
         return tuple(limit / factor for limit in style.current().limits)
     if not style.current().log:
         return 0.0, top
-    return 0.9 * min(float(np.min(band[band > 0], initial=top / 10)) for band in bands), top
+    return 0.9 * float(np.min(band[band > 0], initial=top / 10)), top
