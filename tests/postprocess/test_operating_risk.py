@@ -157,10 +157,12 @@ def test_fresh_draws_are_many_more_over_the_drift(tmp_path, operate, value, word
     assert keys["axes.frequency_ratio.points"] == keys["axes.gap_ratio.points"] == "2"
 
 
-def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path):
+@pytest.mark.parametrize("table", ["[uncertainty.operating_point.gap_ratio]\nstandard_deviation = 0.01\n",
+                                   '[uncertainty.covariance]\nof = ["operating_point.gap_m"]\nmean = [0.0]\nmatrix = [[1e-9]]\n'])
+def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path, table):
     path = write_uncertain(tmp_path / "a.h5")
     with SealedFile(path, "r+") as file:
-        file.attrs["job"] += "[uncertainty.operating_point.gap_ratio]\nstandard_deviation = 0.01\n"
+        file.attrs["job"] += table
     with PeterkaFile(path) as file:
         changes, words = fresh_draws._offsets(file, (0.5, 0.1))
     assert set(changes) == {f"uncertainty.operating_point.frequency_hz.{end}" for end in ("from", "to")}

@@ -6,12 +6,12 @@ and rigs vary together. The draws of a low-discrepancy sequence begin with those
 """
 
 import math
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from ..files.job_numbers import tables_of
 from ..maps.map_file import PeterkaFile
 from ..maps.outcomes import draws_of, quantiles
 from ..plotting import units
@@ -64,16 +64,23 @@ def text_of(found: Fresh, place: Place, risk: float, quantity: Quantity) -> str:
             f"{100 * assured(risk, found.rigs):.3g} %, in 19 cases of 20")
 
 
+def _uncertain_of_place(file):
+    """Which of "frequency" and "gap" the job has uncertain, by itself or with other numbers."""
+    uncertain = tables_of(file.data.attribute("job"))["uncertainty"]
+    keys = [*uncertain.get("operating_point", {}), *(str(key).removeprefix("operating_point.") for key in uncertain.get("covariance", {}).get("of", []))]
+    return {key.partition("_")[0] for key in keys}
+
+
 def _offsets(file, drift):
     """{key of the job: end of an offset} of a drift along the axes in Hz and mm, and its words."""
-    job, changes, words = str(file.data.attribute("job")), {}, []
+    own, changes, words = _uncertain_of_place(file), {}, []
     for axis in (file.columns, file.rows):
         unit = unit_of(file, axis.name)
         if unit is None:
             continue
         width = dict(zip(SI, drift))[unit.unit]
         key, factor = SI[unit.unit]
-        if re.search(rf"^\[uncertainty\.operating_point\.{key.split('_')[0]}_", job, re.MULTILINE):
+        if key.partition("_")[0] in own:
             words.append(f"{unit.what} as uncertain as the job has it, without drift")
         elif width > 0:
             changes |= {f"uncertainty.operating_point.{key}.from": -width * factor, f"uncertainty.operating_point.{key}.to": width * factor}
