@@ -154,7 +154,9 @@ def test_draw_makes_them_where_a_file_has_them(tmp_path, draw):
         with open_file(path) as file:
             assert not [name for name in pictures_of(file) if name.startswith(("outcome", "force_q05", "probability", "response_of"))]
     refused = draw(tmp_path / "a.h5", "--probability", "1/0")
-    assert refused.code == 2 and "'1/0' is no motion such as 3/2" in refused.stderr
+    assert refused.code == 2 and "'1/0' is no motion such as '3/2'" in refused.stderr
+    with pytest.raises(ValueError, match="'five' is no motion such as"):
+        peterka.draw(peterka.open(tmp_path / "a.h5"), "probability_five", probability="five")
 
 
 def test_the_band_of_a_sweep_lies_between_its_quantiles(tmp_path, draw):

@@ -123,8 +123,8 @@ def read_motion(text: str) -> str:
     """The motion that an argument says."""
     try:
         return read_wanted(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' is no motion such as 3/2, impacts, 'no impact' or chaotic") from None
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 def draw_file(path: Path, arguments: argparse.Namespace) -> None:

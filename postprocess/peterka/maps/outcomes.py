@@ -94,10 +94,10 @@ def probability(wanted: str, regime: Integers, impacts: Integers, period: Intege
 
 
 def read_wanted(text: str) -> str:
-    """A motion whose probability is asked for. Raises ValueError where it is none."""
+    """A motion whose probability is asked for: p/q, "impacts" of any kind, "no impact", "chaotic". Raises ValueError where it is none."""
     if text in ("impacts", "no impact", "chaotic") or re.fullmatch(r"[1-9]\d{0,8}/[1-9]\d{0,8}", text):
         return text
-    raise ValueError
+    raise ValueError(f"{harmless(text, 40)!r} is no motion such as '3/2', 'impacts', 'no impact' or 'chaotic'")
 
 
 def _uncertain(tables: dict[str, Any]) -> Iterator[str]:

@@ -28,7 +28,7 @@ from . import field_map
 from .attractor_maps import LEAST_SHARE, MOST_CLASSES, SHARES, reduced_values
 from .field_map import Field, Scale, scale_colours
 from .map_file import PeterkaFile
-from .outcomes import OUTCOMES, Draws, draws_of, is_class, probability, quantiles
+from .outcomes import OUTCOMES, Draws, draws_of, is_class, probability, quantiles, read_wanted
 from .reduce import Reduced, orbit_picture
 
 WIDTH = 3.7  # in
@@ -46,7 +46,7 @@ PROBABILITIES = {f"probability_{name.removeprefix('share_')}": entry.label for n
 @picture(PeterkaFile)
 def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: str = IMPACTS) -> Axes:
     """The probability that a drawn rig ends in a motion: "impacts", "no impact", "chaotic", or p/q."""
-    draws, reduced = draws_of(file), probabilities(file, probability)
+    draws, reduced = draws_of(file), probabilities(file, read_wanted(probability))
     levels, untold = lines_that_draws_tell(draws)
     unkept = _has_others(file, probability)
     waiting = [axes.legend_patch("not computed yet", None, hatched=True)] if file.computed < 1 else []
