@@ -27,7 +27,7 @@ bool has_no_other_file(const Value& document, std::vector<Fault>& faults) {
     if (const Value* covariance = named_covariance(document)) {
         faults.push_back(
             {covariance->where,
-             "uncertainty.file names a file, and this text is none, from whose folder it could be "
+             "uncertainty.file names a file; this text is none, from whose folder it could be "
              "looked for; write the job to a file, or the covariance under [uncertainty.covariance]"});
         return false;
     }

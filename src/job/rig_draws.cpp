@@ -69,6 +69,7 @@ RigDraws::RigDraws(const Job& job) {
     const auto rigs = static_cast<std::uint64_t>(job.uncertainty.rigs);
     if (rigs == 0) return;
     add_numbers(job.uncertainty);
+    if (numbers_.empty()) return;
     const auto least = static_cast<std::int64_t>(std::bit_ceil(rigs));
     for (std::int64_t points = least; points <= most_tries_per_rig * least; points *= 2) {
         draw(job, points);

@@ -25,8 +25,8 @@ std::string row_of_other_length(const Covariance& covariance) {
     for (const std::vector<double>& row : covariance.matrix) {
         if (row.size() == size) continue;
         return fmt::format(
-            "uncertainty.covariance.matrix has a row of {} numbers; of names {}; give each row as many",
-            row.size(), size);
+            "uncertainty.covariance.matrix has a row of {} {}; of names {}; give each row as many", row.size(),
+            row.size() == 1 ? "number" : "numbers", size);
     }
     return "";
 }

@@ -1,6 +1,7 @@
 // The tables of a map or sweep that draw rigs for each cell.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -80,6 +81,7 @@ void describe_spreads(Walker& uncertainty, Job& job, std::string_view name) {
 template <typename Walker>
 void describe_uncertainty(Walker& file, Job& job) {
     // Without it the text of a job, and so its file, is what it was before there was this table.
+    const std::size_t faults_before = file.count_faults();
     const bool is_given = job.uncertainty != Uncertainty{};
     file.table({.name = "uncertainty",
                 .meaning = "rigs drawn for each cell around the job's own, to tell what is likely",
@@ -96,6 +98,7 @@ void describe_uncertainty(Walker& file, Job& job) {
                        describe_spreads(table, job, name);
                    }
                });
+    if (file.count_faults() > faults_before) return;  // draws would only say the same again
     file.rule({"uncertainty", "hammer", "cart", "contact", "axes"}, [&] { return rule_of_uncertainty(job); });
 }
 

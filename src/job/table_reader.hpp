@@ -2,6 +2,7 @@
 // every fault is added to the list and reading goes on with the default.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -91,6 +92,9 @@ class TableReader {
 
     // A table or key that other jobs have and this one cannot; `text` says why and what to do.
     void refuse(std::string_view name, std::string_view text);
+
+    // Of the whole document, so far.
+    [[nodiscard]] std::size_t count_faults() const { return faults_.size(); }
 
     // Known, but not read, because what they depend on is faulty.
     void skip(std::initializer_list<std::string_view> names);

@@ -47,6 +47,12 @@ std::int64_t starts_bytes(const job::Job& job) {
     return open_cells * largest_round * result + 2 * tiles * kept + told + kicks;
 }
 
+// The searches of the drawn rigs of open cells, and lanes for rigs of their own [bytes]; as measured with 64
+// and 512 rigs.
+std::int64_t rigs_bytes(const job::Job& job) {
+    return job.uncertainty.rigs == 0 ? 0 : 12'000'000 + 90'000 * job.uncertainty.rigs;
+}
+
 // A rank keeps the regions of a refined map until they are complete.
 std::int64_t region_bytes(const job::Job& job) {
     if (job.refine.levels == 0) return 0;
@@ -65,7 +71,10 @@ std::int64_t branch_bytes(const job::Job& job) {
     const std::int64_t samples = std::ssize(map_file::stored_sample_variables(job)) * job.sweep.samples;
     const std::int64_t point =
         copies * samples * number + static_cast<std::int64_t>(sizeof(regime::BranchPoint));
-    if (job.starts.count == 0) return job.columns.points * point;
+    if (job.starts.count == 0) {
+        const std::int64_t branches = job.uncertainty.rigs > 0 ? job::branches_of_a_gap(job.sweep) : 1;
+        return job.columns.points * branches * point;
+    }
     const std::int64_t motion =
         static_cast<std::int64_t>(sizeof(attractors::FirstEnd) + sizeof(regime::SteadyMotion)) +
         4 * number * job.sweep.samples;
@@ -127,7 +136,7 @@ double microseconds_of_a_cycle(const job::Job& job) {
 std::int64_t memory_per_rank(const job::Job& job) {
     constexpr std::int64_t open_file = 3'000'000;
     return resident_bytes() + open_file + cells_in_hand_bytes(job) + map_file::tiling(job).count() / 4 +
-           region_bytes(job) + branch_bytes(job) + starts_bytes(job) + coarse_map_bytes(job);
+           region_bytes(job) + branch_bytes(job) + starts_bytes(job) + rigs_bytes(job) + coarse_map_bytes(job);
 }
 
 std::int64_t largest_curves_file(const job::Job& job) {

@@ -47,6 +47,7 @@ const char* words_of(MemoryLimit limit) {
 std::string ways_out(const job::Job& job, std::int64_t ranks) {
     std::string ways = ranks > 1 ? "fewer ranks on a machine, fewer points" : "fewer points";
     if (job.starts.count > 0) ways += ", a smaller starts.count or starts.attractors";
+    if (job.uncertainty.rigs > 0) ways += ", a smaller uncertainty.rigs";
     if (job.kind == job::Kind::sweep) ways += ", a smaller sweep.samples";
     return ways;
 }

@@ -186,18 +186,22 @@ def test_bad_files_of_numbers_get_words(tmp_path):
     says(None, "names a file that isn't there", 'did you mean "stop_identifed.toml"?')
 
 
-@pytest.mark.parametrize("start", ["", "[start]\ndisplacement_ratio = -1.5\nvelocity_ratio = 2.0\n"])
+@pytest.mark.parametrize("start", ["", "[start]\ndisplacement_ratio = -1.5\nvelocity_ratio = 2.0\n", many_starts.table(4)],
+                         ids=["at rest", "from a start", "each from a start of its own"])
 def test_probabilities_are_those_of_plain_draws(tmp_path, start):
     rigs, plain, chance = 256, 400, np.random.default_rng(11)
     text = (jobs.RIG.format(kind="map", title="against plain draws") + jobs.axis("frequency_ratio", 1.1, 3.9, 3) + jobs.axis("gap_ratio", 0.3, 2.7, 3)
             + start + uncertain_rigs.table(rigs, "stop_identified.toml"))
     cells = uncertain_rigs.told(uncertain_rigs.compute(tmp_path, text)[0])
-    place = (-1.5, 2.0) if start else (0.0, 0.0)
+    place = (-1.5, 2.0) if "[start]" in start else (0.0, 0.0)
     worst = 0
     for row, gap in enumerate(cells["gap_ratio"]):
         for column, frequency in enumerate(cells["frequency_ratio"]):
             own = uncertain_rigs.paper_rig()
-            labels, strengths = uncertain_rigs.solve(uncertain_rigs.numpy_draws(own, chance, plain, (frequency, gap), place))
+            drawn = uncertain_rigs.numpy_draws(own, chance, plain, (frequency, gap), place)
+            if "[starts]" in start:
+                drawn = uncertain_rigs.from_random_starts(own, drawn, chance)
+            labels, strengths = uncertain_rigs.solve(drawn)
             worst = max(worst, *uncertain_rigs.deviations(cells, row, column, rigs, labels, strengths))
     assert worst < MOST_ERRORS
     assert np.any((cells["outcome_probability"][0] < 0.98) & (cells["outcome_probability"][0] > 0.3))

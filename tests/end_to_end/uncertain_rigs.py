@@ -86,6 +86,18 @@ def numpy_draws(own, random, count, place, start=(0.0, 0.0)):
     return cells
 
 
+def from_random_starts(own, cells, random, displacement=(-4.0, 1.0), velocity=(-4.0, 4.0)):
+    """The same rigs, each from a start in the rectangle of many_starts.table, in the units of the job's own rig."""
+    omega, amplitude = ratios(own)
+    started = []
+    for cell in cells:
+        new_omega, new_amplitude = ratios(cell)
+        right = min(displacement[1] * amplitude, cell["gap_ratio"] * new_amplitude)
+        place, speed = random.uniform(displacement[0] * amplitude, right), random.uniform(*velocity) * amplitude * omega
+        started.append(cell | {"displacement_ratio": place / new_amplitude, "velocity_ratio": speed / (new_amplitude * new_omega)})
+    return started
+
+
 def solve(cells):
     """(labels, forces over the weight of the drawn hammer or impact speeds) of cells, solved one by one by another engine than a map's."""
     lines = [" ".join(repr(float(cell.get(name, np.nan))) for name in NUMBERS) for cell in cells]

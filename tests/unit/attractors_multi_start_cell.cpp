@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "attractors/drawn_cells.hpp"
 #include "attractors/start_sequence.hpp"
 #include "regime/same_attractor.hpp"
 #include "regime/scalar_engine.hpp"
+#include "regime/solve_cell.hpp"
 #include "rig.hpp"
 
 namespace peterka::attractors {
@@ -123,6 +125,44 @@ TEST(MultiStartCell, TheSmallestKickParts) {
     };
     EXPECT_FALSE(regime::same_attractor(end_of(kick.size), solved.cell));
     EXPECT_TRUE(regime::same_attractor(end_of(kick.size * 0.99), solved.cell));
+}
+
+// Each drawn rig ends as in a search of its own, from [start] or from a start of its own.
+TEST(MultiStartCell, DrawnRigsEndAsInSingleSearches) {
+    for (const std::int64_t starts : {0, 12}) {
+        job::Job job = two_attractors(starts);
+        job.uncertainty.rigs = 24;
+        job.uncertainty.numbers["contact.damping_ns_per_m"].relative = 0.2;
+        job.uncertainty.numbers["hammer.natural_frequency_hz"].relative = 0.02;
+        const SolvedCell solved = searched(job, Ends::told);
+        const scene::Scene scene(job);
+        const scene::UncertainCells uncertain(job);
+        const DrawnCells drawn(uncertain, job, 0, 0, scene.scales());
+        std::map<std::pair<Regime, std::int32_t>, double> expected;
+        ASSERT_EQ(solved.ends_of_rigs.size(), 24U);
+        for (std::int64_t n = 0; n < drawn.count(); ++n) {
+            regime::CycleBroker broker;
+            const CellResult alone = regime::complete(regime::solve_cell(broker, job, drawn.cell(n)), broker);
+            EXPECT_TRUE(regime::same_attractor(solved.ends_of_rigs[static_cast<std::size_t>(n)], alone)) << n;
+            expected[{alone.regime, alone.impacts}] += 1.0 / 24;
+        }
+        ASSERT_EQ(solved.outcomes.size(), expected.size());
+        for (const CellOutcome& outcome : solved.outcomes)
+            EXPECT_NEAR(outcome.probability, (expected[{outcome.regime, outcome.impacts}]), 1e-12);
+    }
+}
+
+TEST(MultiStartCell, DrawnRigsLeaveItsOwnResultAlone) {
+    job::Job job = two_attractors(12);
+    const SolvedCell without = searched(job);
+    job.uncertainty.rigs = 24;
+    job.uncertainty.numbers["contact.damping_ns_per_m"].relative = 0.2;
+    const SolvedCell with = searched(job);
+    EXPECT_EQ(with.cell.peak_force, without.cell.peak_force);
+    EXPECT_EQ(with.cell.attractors, without.cell.attractors);
+    ASSERT_EQ(with.attractors.size(), without.attractors.size());
+    for (std::size_t i = 0; i < with.attractors.size(); ++i)
+        EXPECT_EQ(with.attractors[i].share, without.attractors[i].share);
 }
 
 }  // namespace

@@ -49,6 +49,21 @@ inline Job map() {
     return job;
 }
 
+// The same with rigs drawn around its own: two numbers with their covariance, others each by itself.
+inline Job uncertain() {
+    Job job = map();
+    job.title = "Uncertain rigs";
+    job.uncertainty.rigs = 48;
+    job.uncertainty.covariance = {.of = {"contact.stiffness_n_per_m", "operating_point.gap_m"},
+                                  .mean = {5.6e6, 1e-3},
+                                  .matrix = {{1e10, -0.5}, {-0.5, 1e-10}}};
+    job.uncertainty.numbers["contact.damping_ns_per_m"].relative = 0.03;
+    job.uncertainty.numbers["hammer.mass_kg"].standard_deviation = 0.002;
+    job.uncertainty.numbers["hammer.damping_ratio"] = {.from = 0.003, .to = 0.005};
+    job.uncertainty.numbers["operating_point.frequency_ratio"] = {.from = -0.01, .to = 0.02};
+    return job;
+}
+
 inline Job basin() {
     Job job = map();
     job.kind = Kind::basin;

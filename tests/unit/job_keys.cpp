@@ -110,6 +110,16 @@ const std::map<std::string, std::string> other_values{
     {"starts.velocity_m_per_s", "[-0.35, 0.35]"},
     {"starts.attractors", "10"},
     {"limits.failed_cells", "8"},
+    {"uncertainty.rigs", "49"},
+    {"uncertainty.covariance.of", "[\"contact.stiffness_n_per_m\", \"cart.amplitude_m\"]"},
+    {"uncertainty.covariance.mean", "[5700000.0, 0.001]"},
+    {"uncertainty.covariance.matrix", "[[20000000000.0, -0.5], [-0.5, 1e-10]]"},
+    {"uncertainty.contact.damping_ns_per_m.relative", "0.04"},
+    {"uncertainty.hammer.mass_kg.standard_deviation", "0.003"},
+    {"uncertainty.hammer.damping_ratio.from", "0.0035"},
+    {"uncertainty.hammer.damping_ratio.to", "0.0055"},
+    {"uncertainty.operating_point.frequency_ratio.from", "-0.02"},
+    {"uncertainty.operating_point.frequency_ratio.to", "0.03"},
     {"curves.max_period", "5"},
     {"sweep.gap_ratio", "[2.5]"},
     {"sweep.gap_m", "[0.0025]"},
@@ -182,6 +192,28 @@ void expect_every_key_to_be_wired_through(const Job& job, std::size_t least_keys
 
 TEST(JobKeys, OfAMapAreWiredThrough) {
     expect_every_key_to_be_wired_through(examples::map());
+}
+
+TEST(JobKeys, OfUncertainRigsAreWiredThrough) {
+    expect_every_key_to_be_wired_through(examples::uncertain());
+}
+
+TEST(JobKeys, OfUncertainRigsLandInTheirMembers) {
+    const std::string text = resolved_text(examples::map()) + R"(
+[uncertainty.covariance]
+of = ["contact.stiffness_n_per_m", "operating_point.gap_m"]
+mean = [5.6e6, 1e-3]
+matrix = [[1e10, -0.5], [-0.5, 1e-10]]
+[uncertainty.contact]
+damping_ns_per_m = { relative = 0.03 }
+[uncertainty.hammer]
+mass_kg = { standard_deviation = 0.002 }
+damping_ratio = { from = 0.003, to = 0.005 }
+[uncertainty.operating_point]
+frequency_ratio = { from = -0.01, to = 0.02 }
+)";
+    const std::vector<std::string> overrides{"uncertainty.rigs=48", "title=\"Uncertain rigs\""};
+    EXPECT_EQ(read_job_text(text, "map", overrides), examples::uncertain());
 }
 
 TEST(JobKeys, OfABasinAreWiredThrough) {

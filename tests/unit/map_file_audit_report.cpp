@@ -10,7 +10,8 @@ namespace peterka::map_file {
 namespace {
 
 AuditRow row(double force_error, bool agrees) {
-    return {.again = {}, .force_error = force_error, .agrees = agrees, .starts = {}, .seconds = 0.5};
+    return {
+        .again = {}, .force_error = force_error, .agrees = agrees, .starts = {}, .rigs = {}, .seconds = 0.5};
 }
 
 TEST(AuditReport, QuantilesAreThoseThatEnoughCellsDoNotExceed) {
@@ -29,7 +30,7 @@ TEST(AuditReport, QuantilesAreThoseThatEnoughCellsDoNotExceed) {
 
 TEST(AuditReport, CountsLabelsThatRoundingDecides) {
     const auto other = [](double sensitivity) {
-        return AuditRow{.again = {}, .sensitivity = sensitivity, .agrees = false, .starts = {}};
+        return AuditRow{.again = {}, .sensitivity = sensitivity, .agrees = false, .starts = {}, .rigs = {}};
     };
     const std::vector<AuditRow> rows{row(1e-5, true), other(55), other(415), other(19), other(regime::unknown)};
     const AuditReport result = report(rows);
