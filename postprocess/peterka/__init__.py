@@ -9,6 +9,7 @@ PeterkaFileError for a file. Each package has one subject and imports only packa
 
 errors     exceptions raised for users
 arrays     array types for annotations
+sampling   what a number of draws tells of all
 files      access to any file of peterka, checked before its contents are used: HDF5, seals, headers, regime numbers
 plotting   shared by all pictures: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
 measurements   measured points and their marks over sweeps and maps

@@ -24,8 +24,8 @@ def draw(data: xarray.Dataset, name: str | None = None, ax: Axes | None = None,
     `name`: one of picture_names(data); by default the first. `ax`: Axes made by subplots(), whose place the picture takes
     with its legends and scales; by default a new figure, ax.figure. `options`: fields of plotting.style.Style (width [mm],
     dpi, font, title, limits, log, palette "colour" or "grey", units "both", "si" or "ratio"), `cycles` of a basin's short
-    run, `measured` points of a sweep. Returns the Axes, a list of them for a picture with several panels, None if there is
-    nothing to draw. The coordinates of the Axes are the file's ratios, whatever units the scales show. Raises ValueError for
+    run, `measured` points of a sweep, `probability` of which motion of drawn rigs ("3/2", "impacts"). Returns the Axes, a list
+    of them for a picture with several panels, None if there is nothing to draw. The coordinates of the Axes are the file's ratios, whatever units the scales show. Raises ValueError for
     an unknown name, PeterkaFileError if `data` is not a valid dataset of a file."""
     changes = {key: options.pop(key) for key in NAMES & options.keys()}
     with using(**changes), open_file(data) as file:

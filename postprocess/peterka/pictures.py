@@ -3,6 +3,7 @@
 Each is drawn by a function draw(data, ax=None, ...) of plotting.picture: data an open file or a dataset, ax where to.
 """
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -11,14 +12,14 @@ from typing import Any
 from .files.opened import OpenedFile, Source
 from .maps import (
     attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, force_map, last_impact, number_map,
-    peterka_map, proved_map, quantity_map,
+    peterka_map, proved_map, quantity_map, uncertain_map,
 )
 from .maps.curves_file import CurvesFile, Lines, UnstableBranch
 from .maps.map_file import PeterkaFile
 from .measurements.points import NOTHING_MEASURED, Measurements
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
-from .sweeps import bifurcation, response
+from .sweeps import bifurcation, response, uncertain_response
 from .sweeps.borders import NO_BORDERS, Border
 from .sweeps.sweep_file import SweepFile
 from .sweeps.unstable import NO_UNSTABLE
@@ -71,6 +72,11 @@ PICTURES = [
           _has_share(name))
       for name in attractor_maps.SHARES),
     Row("kick", ("map",), attractor_maps.draw_kick, lambda file: file.has_kicks),
+    Row("outcome", ("map",), uncertain_map.draw_commonest, lambda file: file.outcome_slots > 0),
+    Row("force_q05", ("map",), uncertain_map.draw_force, uncertain_map.has_quantiles),
+    *(Row(name, ("map",), partial(uncertain_map.draw_probability, probability=wanted), partial(uncertain_map.has, name=name))
+      for name, wanted in uncertain_map.PROBABILITIES.items()),
+    Row("probability_{asked}", ("map",), uncertain_map.draw_probability, lambda file: file.outcome_slots > 0, ("probability",)),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
     Row("proved", PLANES, proved_map.draw, lambda file: file.has_proofs),
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
@@ -80,6 +86,7 @@ PICTURES = [
     *(Row(name, ("curves",), partial(edge_distance_map.draw, side=side), partial(edge_distance_map.has, side=side))
       for name, side in edge_distance_map.PICTURES.items()),
     Row("response", ("sweep",), response.draw, takes=OVER_SWEEPS),
+    Row("response_of_rigs", ("sweep",), uncertain_response.draw, uncertain_response.has_bands, ("measured",)),
     Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=OVER_SWEEPS),
     Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=OVER_SWEEPS),
     Row("motion", ("trace",), motion.draw),
@@ -109,10 +116,13 @@ def picture_name(file: OpenedFile, name: str) -> str:
 
 def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
                 borders: Sequence[Border] = NO_BORDERS,
-                unstable: Sequence[UnstableBranch] = NO_UNSTABLE, curves: Lines | None = None) -> dict[str, Callable]:
+                unstable: Sequence[UnstableBranch] = NO_UNSTABLE, curves: Lines | None = None,
+                probability: str = uncertain_map.IMPACTS) -> dict[str, Callable]:
     """{name: draw(file, ax=None)} of all pictures of an open file; each may still find nothing to draw. `cycles`: length of
     the short run whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map; `borders` and
-    `unstable` orbits: over those of a sweep; `curves`: over a map, which has one picture more with them."""
-    options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable, CURVES: curves}
-    return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
+    `unstable` orbits: over those of a sweep; `curves`: over a map, which has one picture more with them;
+    `probability`: of which motion of drawn rigs, as in maps/outcomes.py."""
+    options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable, CURVES: curves,
+               "probability": probability}
+    return {row.name.format(**options, asked=re.sub("[/ ]", "_", probability)): partial(row.draw, **{name: options[name] for name in row.takes})
             for row in PICTURES if file.kind in row.kinds and row.has(file) and (CURVES not in row.takes or curves)}

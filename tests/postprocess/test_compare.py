@@ -132,6 +132,17 @@ def test_a_coarser_grid_is_compared_where_its_points_are_the_others(tmp_path, ru
     assert "10 cells that both files hold" in run_compare("fine.h5", "shifted.h5")[1]
 
 
+def test_counts_of_thousands_have_their_comma(tmp_path, run_compare):
+    cells = np.full((128, 128, 3), 1)
+    places = np.linspace(1, 4, 128)
+    write_map(tmp_path / "a.h5", cells, places, places)
+    cells[:64, :32, 1] = 2
+    write_map(tmp_path / "b.h5", cells, places, places)
+    told = run_compare("a.h5", "b.h5")[1]
+    assert "16,384 cells that both files hold" in told and "same regime             16,384   100.000 %" in told
+    assert "2,048    12.500 %" in told and "Peak force in 14,336 cells" in told
+
+
 def test_the_program_tells_and_draws(pair, tmp_path, run_compare):
     code, told, complaint = run_compare("a.h5", "b.h5")
     assert (code, complaint) == (0, "")

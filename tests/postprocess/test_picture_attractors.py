@@ -104,6 +104,19 @@ def test_a_map_without_starts_has_the_kicks_of_its_cells(tmp_path):
     assert drawn.legend_texts() == ["no orbit", "no kick found up to 4.5 m/s"]
 
 
+def test_the_lower_bound_of_a_kick_has_no_picture_of_its_own(tmp_path):
+    """It bounds the kick, as those of proved impact speeds do; another speed is a quantity to draw."""
+    path = write_map(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        for name in ("critical_kick", "critical_kick_tried", "critical_kick_lower", "other_speed"):
+            file[name] = np.full((4, 4), 0.25)
+            file[name].attrs["units"] = "m/s"
+    with PeterkaFile(path) as file:
+        names = set(pictures_of(file))
+        assert file.quantities == ["other_speed"]
+    assert "kick" in names and not any("critical" in name for name in names)
+
+
 def test_draw_makes_them_where_a_file_has_starts(tmp_path, draw):
     with_starts = draw(write_attractors(tmp_path / "a.h5"), "--formats", "png").pictures
     assert {f"a_{name}.png" for name in ("attractors", "attractors_largest", "attractors_impact", "share_1_2", "kick")} <= set(

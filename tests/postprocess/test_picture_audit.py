@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from peterka.cli.picture_options import zoomed
 from peterka.plotting.figures import figure_of
 from peterka.maps import audit_map
 from peterka.maps.map_file import PeterkaFile
@@ -69,6 +70,21 @@ def test_no_forces_to_compare(tmp_path):
 
 def test_draw_gives_the_picture(path, draw):
     assert "rig_audit.png" in draw(path, "--formats", "png").pictures
+
+
+@pytest.mark.parametrize("zoom, told, rings", [
+    ("1.6,4.5", [[3, 1], [4, 3]], [[3, 0]]), ("0.5,2.4,0.6,3.5", [[1, 2]], []), ("1.6,4.4,0.6,2.4", [[3, 1]], [])])
+def test_a_part_shows_the_audited_cells_within_it(path, zoom, told, rings):
+    with PeterkaFile(path) as whole:
+        part = zoomed(whole, tuple(map(float, zoom.split(","))), in_si=False)
+        same, *other = [np.column_stack(line.get_data()).tolist() for line in audit_map.draw(part).lines]
+        assert (same, sum(other, [])) == (told, rings)
+        assert part.audit.count == len(told) + len(rings)
+
+
+def test_a_part_without_an_audited_cell_says_that_it_has_no_such_picture(path, draw):
+    outcome = draw(path, "--zoom", "1.6,3.4,1.6,3.4", "--formats", "png")
+    assert outcome.code == 0 and "no value to draw, audit is left out" in outcome.stdout
 
 
 def test_samples_not_solved_yet_are_left_out(tmp_path, draw):

@@ -83,6 +83,29 @@ def test_special_points_that_lie_together_have_their_letters_once(tmp_path):
     assert len(dots) == 3  # points closer than a dot's width share one
 
 
+def test_each_letter_of_the_legend_is_in_the_picture(tmp_path):
+    """Also where a name leaves no room beside its point, as that of 1/1 at (2, 1.5), in a crowd, and in the corner."""
+    crowd = [(4, 2.0, 1.5)] + [(kind, 2.0 + 0.25 * (number % 4), 1.8 + 0.25 * (number // 4))
+                               for number, kind in enumerate([0, 1, 2, 0, 1, 2, 0, 2, 1, 0, 2, 1, 0, 1])] + [(0, 4.45, 3.45)]
+    for width in (None, 84):
+        with CurvesFile(write_curves(tmp_path / "c.h5", specials=crowd)) as file, style.using(width=width):
+            ax = curves_map.draw(file)
+            axes.save(axes.figure_of(ax), tmp_path / "a.png")
+        letters = [text.get_text() for text in ax.texts if "/" not in text.get_text()]
+        assert set("".join(letters)) == set("FPGI") and "I" in letters
+        for text in ax.texts:
+            assert ax.get_window_extent().contains(*text.get_window_extent().min)
+            assert ax.get_window_extent().contains(*text.get_window_extent().max)
+
+
+def test_letters_look_in_the_legend_as_in_the_picture(tmp_path):
+    """Upright and bold, without an edge that would fill a narrow one."""
+    figure = drawn(write_curves(tmp_path / "c.h5", specials=[(4, 2.5, 2.5)]), curves_map.draw, tmp_path)
+    legend = next(ax.get_legend() for ax in figure.axes if ax.get_legend() and ax.get_legend().get_title().get_text())
+    handles = legend.legendHandles if hasattr(legend, "legendHandles") else legend.legend_handles  # before matplotlib 3.7, and since
+    assert [(handle.get_marker(), handle.get_markeredgewidth()) for handle in handles] == [(r"$\mathbf{I}$", 0)]
+
+
 def test_a_file_without_curves_gives_no_picture(tmp_path):
     assert drawn(write_curves(tmp_path / "c.h5", [], []), curves_map.draw, tmp_path) is None
 

@@ -9,6 +9,7 @@ import numpy as np
 import peterka
 import pytest
 from conftest import POSTPROCESS
+from peterka.errors import PeterkaFileError
 from peterka.measurements import map_residuals
 from peterka.measurements.points import read_measurements
 from peterka.maps.map_file import PeterkaFile
@@ -34,6 +35,16 @@ def test_units_become_ratios(tmp_path):
     assert point.frequency == pytest.approx(2.0) and point.force == pytest.approx(204 / WEIGHT)
     assert point.displacement == pytest.approx(-2.0) and point.gap == 1.5 and point.label == "one"
     assert found.at_gap(1.5) == [point] and found.at_gap(0.0) == [] and found.left_out == []
+
+
+@pytest.mark.parametrize("name, told", [
+    ("force_nn", "'force_nn' (did you mean force_n?); it may have"), ("Gap_mm", "'Gap_mm' (did you mean gap_mm?)"),
+    ("lable", "(did you mean label?)"), ("colour", "'colour'; it may have frequency_ratio"),
+    ("force_error_ratio" * 600, "…'; it may have")])
+def test_an_unknown_column_is_told_with_the_nearest_known_one(tmp_path, name, told):
+    with pytest.raises(PeterkaFileError) as refusal:
+        points(tmp_path, f"frequency_hz,{name}\n9,1\n")
+    assert told in str(refusal.value) and "\n" not in str(refusal.value)
 
 
 def test_ratios_stay_and_cells_may_be_empty(tmp_path):

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
+from matplotlib.colors import to_rgb
 from peterka.errors import PeterkaFileError
 from peterka.plotting.classes import CLASSES, SECOND_COLOURS
 from peterka.plotting.figures import figure_of
@@ -131,6 +132,15 @@ def test_a_jump_looks_like_no_border_in_the_legend(tmp_path):
     handles = legend.legendHandles if hasattr(legend, "legendHandles") else legend.legend_handles  # before matplotlib 3.7, and since
     looks = {text.get_text(): handle for text, handle in zip(legend.get_texts(), handles)}
     assert (looks["jump"].get_marker(), looks["grazing"].get_marker()) == (">", "None")
+
+
+def test_notes_of_a_falling_branch_are_black_in_grey(tmp_path):
+    """Its own colour would be a pale grey."""
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        panels = panels_of(figure_of(response.draw(file, palette="grey")))
+    notes = [text for ax in panels for text in ax.texts if "Hz" in text.get_text()]
+    assert "1.562 (7.031 Hz)" in [text.get_text() for text in notes]
+    assert {to_rgb(text.get_color()) for text in notes} == {(0.0, 0.0, 0.0)}
 
 
 def test_only_a_maximum_inside_the_band_is_a_resonance(tmp_path):

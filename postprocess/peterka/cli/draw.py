@@ -1,7 +1,8 @@
 """Draws the pictures of peterka's files.
 
     draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf,svg] [--only NAME,NAME] [--after CYCLES]
-            [--measured POINTS.csv] [--curves CURVES.h5] [--width MM] [--dpi N] [--font NAME] [--no-title] [--zoom X0,X1[,Y0,Y1]]
+            [--measured POINTS.csv] [--curves CURVES.h5]
+            [--probability impacts|P/Q|...] [--width MM] [--dpi N] [--font NAME] [--no-title] [--zoom X0,X1[,Y0,Y1]]
             [--limits LOW,HIGH] [--log] [--palette colour|grey] [--units both|si|ratio]
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
@@ -14,9 +15,13 @@ last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_afte
 --after, would see. A map with [starts] gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most
 starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
 where kicks are stored, STEM_kick.
+A map with [uncertainty] gives STEM_outcome (where most of the drawn rigs end, and how likely that is), STEM_force_q05 (the
+force that all but 5 % of them reach), and STEM_probability_... of each of the commonest motions and of the one that
+--probability names, with lines at those of 0.5, 0.9 and 0.95 that the number of draws can tell (5, 29 and 59 draws).
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
-curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them. A file of curves gives
+curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them; with [uncertainty] STEM_response_of_rigs,
+the band in which nine of ten drawn rigs lie. A file of curves gives
 STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap (of
 other axes _columns and _rows). The points of --measured lie over these three, and over
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
@@ -37,12 +42,15 @@ from pathlib import Path
 
 from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
+from ..files.nearest import did_you_mean
 from ..files.opened import OpenedFile
 from ..plotting import axes
 from ..plotting.figures import figure_of
 from ..plotting.style import using
 from ..maps.curves_over import read_lines
 from ..maps.map_file import PeterkaFile
+from ..maps.outcomes import read_wanted
+from ..maps.uncertain_map import IMPACTS
 from ..measurements import map_residuals
 from ..measurements.points import Measurements, Point, read_measurements
 from ..pictures import open_file, picture_name, pictures_of
@@ -53,7 +61,7 @@ from .command_line import (
 from .picture_options import (
     add_style_arguments, check_style, style_of, zoomed,
 )
-from ..sweeps import residuals
+from ..sweeps import residuals, uncertain_response
 from ..sweeps.borders import NO_BORDERS, Border, read_borders
 from ..sweeps.borders import table as table_of_borders
 from ..sweeps.sweep_file import SweepFile
@@ -94,6 +102,8 @@ def read_arguments() -> argparse.Namespace:
                         help="besides, the cells of maps and basins for other programs, as export.py writes them")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
                         help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
+    parser.add_argument("--probability", metavar="MOTION", type=read_motion, default=IMPACTS,
+                        help="of drawn rigs: a p/q, 'no impact', chaotic, or impacts, of any kind; default: impacts")
     parser.add_argument("--curves", metavar="CURVES.h5", type=Path,
                         help="marks and lists where the motions of a sweep end or change, from curves with its gaps; draws them over a map")
     arguments = parser.parse_args()
@@ -107,6 +117,14 @@ def read_cycles(text: str) -> int:
     if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**9):
         raise argparse.ArgumentTypeError(f"'{text}' is not a number of forcing cycles")
     return int(text)
+
+
+def read_motion(text: str) -> str:
+    """The motion that an argument says."""
+    try:
+        return read_wanted(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 def draw_file(path: Path, arguments: argparse.Namespace) -> None:
@@ -137,7 +155,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
                 tell(line)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
-        pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves)
+        pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves, arguments.probability)
         for name, draw in chosen(file, pictures, arguments.only, bool(arguments.zoom)).items():
             drawn = draw(file)
             if drawn is None:
@@ -153,7 +171,8 @@ def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]
     """The pictures of these names; all of them where none is named. A part of a file, as of --zoom, may give fewer."""
     unknown = [name for name in names if name not in pictures]
     if unknown:
-        raise file.refusal(f"gives no picture {', '.join(unknown)}{' with --zoom' * is_part}; it gives {', '.join(pictures)}")
+        asked = ", ".join(name + did_you_mean(name, pictures) for name in unknown)
+        raise file.refusal(f"gives no picture {asked}{' with --zoom' * is_part}; it gives {', '.join(pictures)}")
     return {name: draw for name, draw in pictures.items() if name in names or not names}
 
 
@@ -164,5 +183,7 @@ def tell_residuals(file: OpenedFile, points: Sequence[Point]) -> None:
         lines = map_residuals.table(file, map_residuals.residuals(file, points))
     elif isinstance(file, SweepFile):
         lines = residuals.table(file, residuals.residuals(file, points))
+        if uncertain_response.has_force_bands(file):
+            lines.append(uncertain_response.inside_in_words(file, points))
     for line in lines:
         tell(line)

@@ -1,7 +1,7 @@
 """Finds where to operate a rig: the place of a map whose worst value over a drift and over the starts is the best.
 
     operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
-                       [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
+                       [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--risk 0.95] [--verify]
                        [--units both | si | ratio]
 
 A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
@@ -13,6 +13,10 @@ proved and what sampled: n starts, all of which end in one motion, exclude other
 best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the drift around the
 best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the folder of the
 pictures, and says whether its worst value is as good there, or by how much it falls short.
+--risk 0.95 asks a map with [uncertainty], whose cells have many drawn rigs, each from a start of its own where it has [starts], for the
+largest value that is reached with this probability, drift, starts and rig taken together, whatever the motion, or in that of
+--regime. A probability that the number of draws can't tell is refused (59 can tell 0.95). --verify draws many more rigs, at places
+within the drift, for the best place, and tells its value beside the map's: the best of many places flatters itself.
 Exit codes: 0 done, whatever came out; 2 a file cannot be read or has no such place, or bad arguments; 3 a picture or the box
 cannot be written.
 """
@@ -27,7 +31,7 @@ from ..errors import PeterkaFileError
 from ..files.regimes import PERIODIC
 from ..maps.comparison import label_codes
 from ..maps.map_file import PeterkaFile
-from ..operating import picture, told, verify, words
+from ..operating import fresh_draws, picture, risk, told, verify, words
 from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
 from ..operating.drift import Reach, reach, worst_of_boxes
 from ..operating.places import Place, best_places
@@ -60,6 +64,8 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     """The whole of it, of an open map; the exit code."""
     if file.kind != "map":
         raise file.refusal(f"is a {file.kind}; a map is needed")
+    if arguments.risk is not None:
+        return operate_at_risk(file, arguments)
     starts = arguments.starts
     if starts is None:
         starts = ANY if has_starts(file) else JOB
@@ -67,7 +73,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
             tell(f"{file.path} was computed from one start alone: what other starts lead to isn't known")
     if starts not in (ANY, JOB):
         told.refuse_few_starts(file, starts)
-    quantity = quantity_of(file, arguments.quantity)
+    quantity = quantity_of(file, arguments.quantity or "peak_force")
     rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
     found = admitted(file, starts, quantity.name)
     worst = worst_of_boxes(found, rows, columns, codes_of(arguments.regime))
@@ -92,7 +98,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         tell(f"  {apart}: {boxes}")
     for line in what_is_told(file, starts, places[0], (rows, columns), bool(stays_free[places[0].row, places[0].column])):
         tell(f"  {line}")
-    for line in words.table(file, places, quantity, with_share=starts not in (ANY, JOB)):
+    for line in words.table(file, places, quantity, None if starts in (ANY, JOB) else "smallest share"):
         tell(line)
     for line in words.best_lines(file, places[0], quantity, fields_at(file, places[0])):
         tell(line)
@@ -104,6 +110,38 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if arguments.verify:
         checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
         tell(verify.text_of(file, places[0], checked, quantity))
+    return DONE
+
+
+def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
+    """The same for a value that is reached with a probability; the exit code."""
+    draws, quantity = risk.refuse_untold(file, arguments.risk), risk.quantity_at(file, arguments.risk)
+    if arguments.quantity not in (None, quantity.name):
+        raise file.refusal(f"keeps of its drawn rigs the {quantity.name} alone; --risk doesn't go with --quantity {arguments.quantity}")
+    rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
+    found = risk.admitted_at(file, arguments.risk, arguments.regime)
+    worst = worst_of_boxes(found, rows, columns)
+    places = risk.with_motions(file, best_places(worst, found, rows, columns), rows, columns)
+    drift = words.drift_in_words(file, rows, columns)
+    apart, boxes = words.boxes_in_words(file, rows, columns)
+    if not places:
+        regimes = f" in {','.join(arguments.regime)}" if arguments.regime else ""
+        raise file.refusal(f"has no place at which the hammer impacts{regimes} with a probability of {arguments.risk:g} at a {drift}"
+                           f"{f', where {boxes}' if boxes else ''}; allow less drift, or ask for a smaller probability")
+    tell(f"{file.title}\n{quantity.title}, {drift}: above 0 in the boxes of {100 * float(np.mean(worst > 0)):.3g} % of the cells")
+    if boxes:
+        tell(f"  {apart}: {boxes}")
+    tell(f"  {risk.text_of_sampling(file, arguments.risk, draws)}")
+    for line in words.table(file, places, quantity, "its least probability"):
+        tell(line)
+    tell(words.best_lines(file, places[0], quantity, {})[0])
+    said = quantity, draws.in_words, "\n".join(filter(None, [drift, boxes]))
+    save_all(picture.draw(file, np.where(worst > 0, worst, np.nan), places, rows, columns, said), arguments.output_dir,
+             f"{file.path.stem}_operating_point_risk", arguments.formats)
+    if arguments.verify:
+        fresh = fresh_draws.draw_afresh(file, places[0], (arguments.hz, arguments.mm), arguments.risk, arguments.output_dir,
+                                        arguments.ranks, arguments.peterka)
+        tell(fresh_draws.text_of(fresh, places[0], arguments.risk, quantity))
     return DONE
 
 
@@ -142,14 +180,17 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--hz", type=read_drift, default=0.5, help="drift of the frequency to either side; default: 0.5")
     parser.add_argument("--mm", type=read_drift, default=0.1, help="drift of the gap to either side; default: 0.1")
     parser.add_argument("--starts", metavar="WHICH", nargs="+", help="any, share S, or job")
-    parser.add_argument("--quantity", choices=list(QUANTITIES), default="peak_force")
+    parser.add_argument("--quantity", choices=list(QUANTITIES), help="default: peak_force")
     parser.add_argument("--regime", metavar="P/Q,...", type=read_regimes)
+    parser.add_argument("--risk", metavar="PROBABILITY", type=read_probability, help="of a map with [uncertainty]: 0.95 or 0.5")
     parser.add_argument("--verify", action="store_true")
     parser.add_argument("--peterka", metavar="PROGRAM", type=Path)
     parser.add_argument("--ranks", metavar="N", type=read_count, default=1, help="of --verify, started by mpirun; default: 1")
     parser.add_picture_arguments()
     add_units_argument(parser)
     arguments = parser.parse_args()
+    if arguments.risk is not None and arguments.starts is not None:
+        parser.error("--risk takes the starts of the drawn rigs; it doesn't go with --starts")
     arguments.starts = read_starts(arguments.starts, parser)
     return arguments
 
@@ -166,6 +207,17 @@ def read_starts(which: list[str] | None, parser: argparse.ArgumentParser) -> str
         if 0.5 < share <= 1:
             return share
     return parser.error(f"--starts {' '.join(which)}: any, job, or share and a number above 0.5 up to 1")
+
+
+def read_probability(text: str) -> float:
+    """The probability, between 0 and 1, that an argument says."""
+    try:
+        probability = float(text)
+    except ValueError:
+        probability = np.nan
+    if not 0 < probability < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a probability between 0 and 1")
+    return probability
 
 
 def read_drift(text: str) -> float:

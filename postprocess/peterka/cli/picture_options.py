@@ -96,18 +96,21 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
 
     assert isinstance(file.data, CheckedFile)
     data = dataset_of(file.data)
-    ends = {}
+    ends, shown = {}, {}
     for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
         unit = measured(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
         factor = unit.factor if unit else 1.0
         ends[axis.name] = low / factor, high / factor
-        data = data.isel({axis.stored: _shown(file, axis, *ends[axis.name])})
+        shown[axis.name] = _shown(file, axis, *ends[axis.name])
+        data = data.isel({axis.stored: shown[axis.name]})
         left = data.sizes[axis.stored]
         if left < 2:
             raise file.refusal(f"has {left} point{'s' * (left != 1)} of {unit.what if unit else axis.name} from {low:g} to {high:g}"
                                f"{f' {unit.unit}' if unit else ''}; --zoom has to leave 2{_other_unit(file, axis, low, high, in_si)}")
     part = open_file(data)
-    if isinstance(part, PeterkaFile):
+    if isinstance(part, PeterkaFile) and isinstance(file, PeterkaFile):
+        if file.audit is not None:  # whose cells are told by row and column of the whole
+            part.audit = file.audit.within(*(shown.get(axis.name, slice(0, len(axis.values))) for axis in (file.rows, file.columns)))
         part.rows, part.columns = (_cut(axis, ends.get(axis.name)) for axis in (part.rows, part.columns))
     if isinstance(part, CurvesFile):
         part.cut_to_window()

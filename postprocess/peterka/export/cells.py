@@ -18,7 +18,7 @@ REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved"
 NOT_COMPUTED = "not_computed"
 PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # as all of the layout's: nothing that a table or a program would take for more
 SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm", "critical_kick": "m_s",
-            "critical_kick_tried": "m_s", "critical_kick_lower": "m_s"}
+            "critical_kick_tried": "m_s", "critical_kick_lower": "m_s", "speed_q05": "m_s", "speed_q50": "m_s", "speed_q95": "m_s"}
 ORBITS = {"orbit_displacement": ("displacement_ratio", "mm", 1e3), "orbit_velocity": ("velocity_ratio", "m_s", 1.0)}
 OF_THE_RUN = ("run", "summary", "tiles")  # groups that tell of the file, not of the cells
 MILLI = {"max_displacement": 1e3}
@@ -58,7 +58,7 @@ def fields_of(file: PeterkaFile) -> list[Field]:
             kind = file.data.dataset(name, file.shape, INTEGER + REAL).dtype.kind
         except PeterkaFileError:  # a group, an axis, or a table of a different kind
             continue
-        if name.startswith("peak_force") and name.endswith("_ratio") and file.newtons:
+        if name.startswith(("peak_force", "force_q")) and name.endswith("_ratio") and file.newtons:
             found.append(Field(name, f"{name.removesuffix('_ratio')}_n", file.newtons, False))
         elif name in ORBITS:
             ratio, in_si, size = ORBITS[name]

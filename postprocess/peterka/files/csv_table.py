@@ -13,6 +13,7 @@ from pathlib import Path
 
 from ..errors import PeterkaFileError
 from .harmless import harmless
+from .nearest import did_you_mean
 
 SEPARATORS = (";", "\t", ",")
 LONGEST_LINE = 10_000
@@ -96,7 +97,7 @@ def _text(path, what, largest_bytes):
 def _check_names(path, names, known):
     for name in names:
         if name not in known:
-            raise PeterkaFileError(f"{path} has the unknown column '{harmless(name, 40)}'; it may have {', '.join(known)}")
+            raise PeterkaFileError(f"{path} has the unknown column '{harmless(name, 40)}'{did_you_mean(name, known)}; it may have {', '.join(known)}")
     twice = [name for name in names if names.count(name) > 1]
     if twice:
         raise PeterkaFileError(f"{path} has {min(twice)} twice; each quantity has one column")

@@ -4,6 +4,8 @@ Numbers of attractors grow darker, shares and kicks lighter, so that all are rea
 the Peterka map. Blocks of a reduced map show their mean share, and the kick of their most fragile cell.
 """
 
+from collections.abc import Callable, Sequence
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -16,7 +18,7 @@ from ..plotting.classes import CLASSES, INDEX, classify
 from ..plotting.picture import picture
 from .field_map import scale_colours, without_value
 from .map_file import KICKS, PeterkaFile
-from .reduce import LIMIT, block_size, class_picture, orbit_picture, with_edges
+from .reduce import LIMIT, Reduced, block_size, class_picture, orbit_picture, with_edges
 
 WIDTH = 3.7  # in
 NUMBERS = ["not computed yet", "1", "2", "3", "4", "5 or more"]
@@ -89,7 +91,7 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     classes, counts = class_picture(file, names, kinds, len(KIND_COLOURS))
     if not counts[[ALONE, NONE_FOUND, THROWN]].any():
         return None
-    reduced = _reduced(file, names, values, np.fmin)
+    reduced = reduced_values(file, names, values, np.fmin)
     top = float(np.nanpercentile(reduced.image, 99.9)) if counts[THROWN] else 1.0
     least, most = (f"{size:.3g}" for size in _tried_without(file))
     tried = f"{least} m/s" if least == most else f"{least}–{most} m/s"
@@ -132,7 +134,7 @@ def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
         impacting = np.where(np.isin(of, [PERIODIC, CHAOTIC]), shares, 0).sum(axis=0)
         return np.where(regime == NOT_COMPUTED, np.nan, impacting)
 
-    reduced = _reduced(file, ["regime", "attractor_regime", "basin_share"], share, None)
+    reduced = reduced_values(file, ["regime", "attractor_regime", "basin_share"], share, None)
     return _draw_scale(file, ax, reduced, "share of starts that end with impacts", 1, None)
 
 
@@ -145,7 +147,7 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
         reached = np.where(classify(*slots[:3]) == INDEX[entry.label], slots[3], 0).sum(axis=0)
         return np.where(regime == NOT_COMPUTED, np.nan, reached)
 
-    reduced = _reduced(file, LABELS, share, None)
+    reduced = reduced_values(file, LABELS, share, None)
     text = f"in $z = {entry.label}$" if entry.orbit else END_WORDS[entry.label]
     return _draw_scale(file, ax, reduced, f"share of starts that end {text}", 1, None)
 
@@ -192,7 +194,7 @@ def _finished(figure, ax, file):
     return ax
 
 
-def _reduced(file, names, values, least):
+def reduced_values(file: PeterkaFile, names: Sequence[str], values: Callable, least: Any | None) -> Reduced:
     """Cell values, reduced to a block's mean or, with np.fmin, its minimum; NaN where it has none."""
     block, pieces = block_size(file.shape, LIMIT), []
     for _, band in file.bands(names, block):

@@ -6,13 +6,12 @@ Bottom: the share of the compared cells whose peak forces differ by at most a gi
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
 from ..arrays import Reals
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX
-from ..plotting.fills import Fill, fill
+from ..plotting.fills import paler
 from ..plotting.picture import picture
 from .map_file import PeterkaFile
 from .reduce import orbit_picture
@@ -37,7 +36,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
                Line2D([], [], label=f"other label ({differing})", **DIFFERS)]
     figure, ax, error_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], panel_height=ERROR_HEIGHT,
                                       ax=ax)
-    axes.show_classes(ax, reduced, [_pale(entry.colour) for entry in CLASSES], INDEX["not computed yet"])
+    axes.show_classes(ax, reduced, [paler(entry.colour, PALE) for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     for chosen, look in ((audit.agrees, AGREES), (~audit.agrees, DIFFERS)):
         if not chosen.any():  # a line without points has no extent, which breaks the layout
@@ -52,12 +51,6 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
 def compared_errors(force_error: Reals) -> Reals:
     """The comparable errors, ascending."""
     return np.sort(force_error[np.isfinite(force_error)])
-
-
-def _pale(colour):
-    own = fill(colour)
-    pale = to_hex([(1 - PALE) * value + PALE for value in to_rgb(own.colour)])
-    return Fill(pale, own.hatch) if own.hatch else pale
 
 
 def _draw_errors(ax, force_error):

@@ -100,15 +100,15 @@ def text(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> str
     """The report, as lines."""
     lines = [f"A  {first.path}: {first.title}", f"B  {second.path}: {second.title}",
              *differing_keys(first, second), *filter(None, [comparison.plane.in_words]),
-             f"{comparison.cells} cells that both files hold"]
+             f"{comparison.cells:,} cells that both files hold"]
     if not comparison.cells:
         return "\n".join(lines)
     for name, count in (("same regime", comparison.same_regime), ("same regime and z", comparison.same_label)):
-        lines.append(f"  {name:<20}{count:>10}{_percent(count, comparison.cells)}")
+        lines.append(f"  {name:<20}{count:>10,}{_percent(count, comparison.cells)}")
     if comparison.moves:
         lines.append("Labels that differ, A -> B, most frequent first")
     for (a, b), count in comparison.moves.most_common(12):
-        lines.append(f"  {a + ' -> ' + b:<40}{count:>10}{_percent(count, comparison.cells)}")
+        lines.append(f"  {a + ' -> ' + b:<40}{count:>10,}{_percent(count, comparison.cells)}")
     if len(comparison.moves) > 12:
         lines.append(f"  and {len(comparison.moves) - 12} more")
     return "\n".join(lines + _force_lines(comparison))
@@ -120,7 +120,7 @@ def _force_lines(comparison):
         return ["No peak force to compare."]
     quantiles = ", ".join(f"{value:.6g} ({share} %)" for share, value in
                           zip(SHARES, np.percentile(ratio, SHARES, method="inverted_cdf")))
-    lines = [f"Peak force in {len(ratio)} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
+    lines = [f"Peak force in {len(ratio):,} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
     for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
         (row, column), plane = comparison.place[extreme], comparison.plane
         lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at "
@@ -166,10 +166,11 @@ def _value(job, key):
 
 def _moves(codes_a, codes_b):
     pairs, counts = np.unique(np.stack([codes_a, codes_b]), axis=1, return_counts=True)
-    return Counter({(_name(a), _name(b)): int(count) for (a, b), count in zip(pairs.T, counts)})
+    return Counter({(name_of_code(a), name_of_code(b)): int(count) for (a, b), count in zip(pairs.T, counts)})
 
 
-def _name(code):
+def name_of_code(code: int) -> str:
+    """The label of a code of label_codes in words: p/q, or the regime."""
     if code < _ORBIT:
         return class_of(code, 0, 0).label
     return f"{(code - _ORBIT) >> 32}/{(code - _ORBIT) & 0xFFFFFFFF}"

@@ -32,6 +32,8 @@ APART = 0.06  # of the picture, between two names or letters
 SAME_DOT = 0.012  # of the picture: dots closer than this would overlap
 TOGETHER = 0.05  # of the picture: special points that share their letters
 ASIDE = 0.028  # of the picture, between a point and its letters
+FARTHER = (1.0, 1.6, 2.4, 3.6)  # times that, where others are in the way
+AROUND = ((1, 1), (-1, 1), (1, -1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
 
 
 @picture(CurvesFile)
@@ -60,8 +62,8 @@ def _draw(file, lines, ax, over=None):
     kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in lines.curves)]
     curves = [Line2D([], [], label=WORDS[kind], **_look(kind, over_map)) for kind in kinds]
     specials = [kind for kind in LETTERS if any(special.kind == kind for special in lines.specials)]
-    letters = [Line2D([], [], linestyle="none", marker=f"${LETTERS[kind][0]}$", markersize=5, color="black",
-                      label=LETTERS[kind][1]) for kind in specials]
+    letters = [Line2D([], [], linestyle="none", marker=rf"$\mathbf{{{LETTERS[kind][0]}}}$", markersize=5, color="black",
+                      markeredgewidth=0, label=LETTERS[kind][1]) for kind in specials]
     legends = [(curves, 1, None), (letters, 2, "special points (several letters: several together)")]
     if over_map:
         orbits, regimes = legend_entries(counts, file.observed_chaos)
@@ -112,7 +114,8 @@ def _write_names(ax, lines):
 
 
 def _write_letters(ax, lines, taken):
-    """Draws a dot at each special point, with letters once per group of close points, on the side with the fewest lines."""
+    """Draws a dot at each special point, with letters once per group of close points: on the side with the fewest lines, farther
+    away where none is free, and in any case somewhere, since the legend tells what they mean."""
     ways = np.concatenate([_in_picture(ax, curve.columns, curve.rows) for curve in lines.curves])
     places = [_in_picture(ax, special.column, special.row) for special in lines.specials]
     dots, groups = [], []  # a group: its position, and the kinds of its points
@@ -128,13 +131,21 @@ def _write_letters(ax, lines, taken):
             group.add(special.kind)
     for place, kinds in groups:
         word = "".join(letter for kind, (letter, _) in LETTERS.items() if kind in kinds)
-        sides = [place + ASIDE * np.array(side) * [1 + 0.3 * len(word), 1] for side in ((1, 1), (-1, 1), (1, -1), (-1, -1))]
-        free = [side for side in sides if _has_room(side, taken)]
+        at = _place_of_letters(place, word, ways, taken)
+        taken.append(at)
+        ax.text(*at, word, transform=ax.transAxes, fontsize=6, weight="bold", ha="center", va="center",
+                path_effects=axes.outline(1.6))
+
+
+def _place_of_letters(place, word, ways, taken):
+    """Where the letters of a special point stand, in the picture."""
+    rings = [[place + away * ASIDE * np.array(side) * [1 + 0.3 * len(word), 1] for side in AROUND] for away in FARTHER]
+    for ring in rings:
+        free = [at for at in ring if _has_room(at, taken)]
         if free:
-            at = max(free, key=lambda side: np.min(np.hypot(*(ways - side).T)))
-            taken.append(at)
-            ax.text(*at, word, transform=ax.transAxes, fontsize=6, weight="bold", ha="center", va="center",
-                    path_effects=axes.outline(1.6))
+            return max(free, key=lambda at: np.min(np.hypot(*(ways - at).T)))
+    inside = [np.clip(at, 0.03, 0.97) for ring in rings for at in ring]
+    return max(inside, key=lambda at: min(np.hypot(*(at - other)) for other in taken))
 
 
 def _is_near(place, others, distance):

@@ -57,6 +57,7 @@ class Field:
     apart: tuple[str, ...]
     scale: Callable[[float], Scale]
     from_zero: bool = True  # the scale begins at 0; otherwise at the smallest value
+    told: str = ""  # in the title, line by line
 
 
 def has_impacts(regime: Integers, *_: object) -> Mask:
@@ -81,7 +82,7 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     axes.label_axes(ax, file)
     _draw_bar(figure, bar_ax, mesh, scale, (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, axes.operating_point(file), ax)
+    axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), field.told])), ax)
     if measured.points:
         marks.draw_over_map(ax, file, measured.points, lambda force: mesh.to_rgba(force * scale.factor))
     if file.kind == "map":  # in a basin all starts of an orbit share the largest value

@@ -26,6 +26,7 @@ from ..files.job_axes import axes_of_job, points_of_job
 from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, check_labels
+from .outcomes import OUTCOMES, check_outcomes
 from .tables import Attractors, read_attractors, read_audit
 
 __all__ = ["Attractors", "Axis", "PeterkaFileError", "PeterkaFile", "QUANTITIES"]
@@ -47,7 +48,7 @@ SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_p
          "attractor_peak_force_ratio": REAL, "basin_share": REAL}
 # Optional: for the attractors, or for the cells of a map without [starts].
 KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
-PROVED_BOUNDS = {"impact_speed_lower", "impact_speed_upper"}  # told beside impact_speed, no pictures of their own
+BOUNDS = {"impact_speed_lower", "impact_speed_upper", "critical_kick_lower"}  # told beside what they bound, no pictures of their own
 MAX_SLOTS = 64
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits into some tens of megabytes
 BAND_CELLS = 2**21
@@ -71,7 +72,7 @@ class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
     QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, has_proofs, attractors,
     audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
-    of the cell."""
+    of the cell; outcome_slots, the number of outcomes kept for each cell (0 without [uncertainty])."""
 
     coordinates = COORDINATES  # for each kind that this class reads
 
@@ -103,7 +104,7 @@ class PeterkaFile(OpenedFile):
         are (slots, rows, columns).
 
         All bands but the last have a number of rows divisible by `multiple`. Values are checked as they are read."""
-        slots = max(1, self.slots) if any(map(self._is_stacked, names)) else 1
+        slots = max(1, self.slots, self.outcome_slots) if any(map(self._is_stacked, names)) else 1
         rows = multiple * max(1, BAND_CELLS // (slots * self.shape[1] * multiple))
         for first in range(0, self.shape[0], rows):
             yield first, self.band(names, first, first + rows)
@@ -127,7 +128,7 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
-        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys() | PROVED_BOUNDS
+        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys() | BOUNDS
                             and self._is_quantity(name)]
         self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
         for name in self.numbers:
@@ -139,6 +140,7 @@ class PeterkaFile(OpenedFile):
         self.has_proofs = self._has_integers("certified")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.slots = self._slots()
+        self.outcome_slots = check_outcomes(self.data, self.shape, MAX_POINTS**2 * MAX_SLOTS) if self.kind == "map" else 0
         self.has_kicks = self.kind == "map" and all(self.data.has(name) for name in KICKS)
         if self.has_kicks:
             for name, kind in KICKS.items():
@@ -169,7 +171,7 @@ class PeterkaFile(OpenedFile):
         return slots[0]
 
     def _is_stacked(self, name: str) -> bool:
-        return name in SLOTS or (name in KICKS and self.slots > 0)
+        return name in SLOTS or name in OUTCOMES or (name in KICKS and self.slots > 0)
 
     def _check_quantity(self, name):
         self.data.dataset(name, self.shape, REAL)
@@ -198,9 +200,13 @@ class PeterkaFile(OpenedFile):
 
     def _check_values(self, columns):
         check_labels(self.data, columns)
-        if "attractor_regime" in columns:
-            check_labels(self.data, {name: columns[f"attractor_{name}"] for name in ("regime", "impacts", "period")
-                                     if f"attractor_{name}" in columns})
+        for of in ("attractor", "outcome"):
+            if f"{of}_regime" in columns:
+                check_labels(self.data, {name: columns[f"{of}_{name}"] for name in ("regime", "impacts", "period")
+                                         if f"{of}_{name}" in columns})
+        if "outcome_probability" in columns and not np.all(np.isnan(columns["outcome_probability"]) | (
+                (columns["outcome_probability"] >= 0) & (columns["outcome_probability"] <= 1 + 1e-9))):
+            raise self.refusal("has an outcome_probability that is no probability")
         if "basin_share" in columns and not np.all((columns["basin_share"] >= 0) & (columns["basin_share"] <= 1 + 1e-9)):
             raise self.refusal("has a basin_share that is no share")
         attractor = columns.get("attractor")

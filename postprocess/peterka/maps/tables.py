@@ -46,6 +46,12 @@ class Audit:
         """Number of audited cells."""
         return len(self.row)
 
+    def within(self, rows: slice, columns: slice) -> "Audit":
+        """Of the part of the map that these rows and columns are, counted from its own first ones."""
+        inside = (self.row >= rows.start) & (self.row < rows.stop) & (self.column >= columns.start) & (self.column < columns.stop)
+        part = {name: getattr(self, name)[inside] for name in self.__dataclass_fields__}
+        return Audit(**part | {"row": part["row"] - rows.start, "column": part["column"] - columns.start})
+
 
 def read_attractors(data: Content, shape: tuple[int, ...]) -> Attractors:
     """The Attractors of a basin file with cells of this shape."""

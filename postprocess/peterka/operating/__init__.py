@@ -5,5 +5,7 @@
 `places`     the best separate places
 `told`       which of the findings are proved, which sampled, and which known motions are excluded
 `verify`     recomputes the box around a place on a finer grid, with the program
+`risk`       the value reached with a probability by drawn rigs, over a drift
+`fresh_draws`  many more rigs drawn for one place
 `picture`, `words`   the results
 """

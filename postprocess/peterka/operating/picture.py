@@ -39,7 +39,7 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
-    bar.set_label(f"worst {quantity.title} of the box ({unit})", fontsize=8)
+    bar.set_label(f"worst of the box: {quantity.title} ({unit})", fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, f"{axes.so_far(file)}{starts}; {drift}")
     _mark(ax, file, places, rows, columns, quantity)
@@ -71,4 +71,4 @@ def _mark(ax, file, places, rows, columns, quantity):
     best = places[0]
     x, y = file.columns.values[best.column], file.rows.values[best.row]
     ax.plot(x, y, marker="x", markersize=4, markeredgewidth=1.1, color="black", path_effects=axes.outline(2.4), zorder=7)
-    write_near_box(ax, boxes[-1].get_window_extent(), f"{best.orbit[0]}/{best.orbit[1]}, {units.amount(quantity.factor * best.worst, quantity.unit)}")
+    write_near_box(ax, boxes[-1].get_window_extent(), f"{best.z}, {units.amount(quantity.factor * best.worst, quantity.unit)}")

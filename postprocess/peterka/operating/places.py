@@ -15,7 +15,8 @@ MOST = 10
 @dataclass(frozen=True)
 class Place:
     """A cell: its indices, the worst value in its box and its own value [as stored], its orbit (p, q), and the smallest
-    share, over its box, of the starts that end in it."""
+    share, over its box, of the starts that end in it; `motion`, where drawn rigs may end in several: the commonest one, whose
+    probability is the share then."""
 
     row: int
     column: int
@@ -23,6 +24,18 @@ class Place:
     value: float
     orbit: tuple[int, int]
     share: float
+    motion: str = ""
+
+    @property
+    def z(self) -> str:
+        """The motion in words."""
+        return self.motion or f"{self.orbit[0]}/{self.orbit[1]}"
+
+
+def box_of(place: Place, rows: Reach, columns: Reach) -> tuple[slice, slice]:
+    """The rows and columns of the box around a Place."""
+    return (slice(place.row - int(rows.before[place.row]), place.row + int(rows.after[place.row]) + 1),
+            slice(place.column - int(columns.before[place.column]), place.column + int(columns.after[place.column]) + 1))
 
 
 def best_places(worst: Reals, admitted: Admitted, rows: Reach, columns: Reach, most: int = MOST) -> list[Place]:

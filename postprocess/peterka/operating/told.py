@@ -1,22 +1,19 @@
-"""What a map implies for other starts, places and motions: what is proved, what is sampled, and how many starts a question requires.
-
-A motion with share s of the starts is missed by all of n starts with probability (1 - s)^n. At probability 1/20, 16 starts
-miss a share of 17 %, 59 a share of 5 %, 299 a share of 1 %.
+"""What a map implies for other starts, places and motions: what is proved, what is sampled (peterka/sampling.py), and how many
+starts a question requires.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import beta
 
 from ..arrays import Mask
 from ..files import job_numbers
 from ..files.regimes import NAMES, NO_IMPACT, NOT_COMPUTED, PERIODIC
 from ..maps.map_file import PeterkaFile
+from ..sampling import draws_needed, least_share, share_excluded
 from .drift import Reach
-from .places import Place
+from .places import Place, box_of
 
-DOUBT = 0.05  # probability 1/20
 USUAL = (0.05, 0.01)  # shares, for comparison
 CLOSED_FORM = "a motion without impact"
 
@@ -44,28 +41,12 @@ def starts_of(file: PeterkaFile) -> int:
     return int(count)
 
 
-def share_excluded(starts: int) -> float:
-    """The share excluded by this many starts that all end elsewhere: a motion of that share would be missed with probability 1/20."""
-    return 1 - DOUBT ** (1 / starts)
-
-
-def starts_needed(share: float) -> int:
-    """The number of starts, all ending in one motion, that establishes such a share for it."""
-    return int(np.ceil(np.log(DOUBT) / np.log(share) - 1e-9))
-
-
-def least_share(share: float, starts: int) -> float:
-    """Lower 95 % confidence bound on a motion's share of all starts, given its share of these (Clopper & Pearson, 1934)."""
-    ended = round(share * starts)
-    return float(beta.ppf(DOUBT, ended, starts - ended + 1)) if ended else 0.0
-
-
 def refuse_few_starts(file: PeterkaFile, share: float) -> None:
     """Refuses a question that the file's starts cannot answer."""
     starts = starts_of(file)
     if share >= 1:
         raise file.refusal("can't tell a share of 1, whatever its starts: ask for --starts any, or for a share below 1")
-    needed = starts_needed(share)
+    needed = draws_needed(share)
     if starts < needed:
         raise file.refusal(f"has {starts} starts of each cell, which can't tell a share of {share:g}: even where all of them end in one "
                            f"motion, others may have {100 * share_excluded(starts):.2g} % (in one case of twenty); {needed} could "
@@ -92,14 +73,13 @@ def may_stay_free(file: PeterkaFile, rows: Reach, columns: Reach) -> Mask:
 
 def left_out(file: PeterkaFile, place: Place, rows: Reach, columns: Reach) -> list[LeftOut]:
     """Motions other than a place's own that are known in the cells of its box, those with the largest shares first."""
-    box = (slice(place.row - rows.before[place.row], place.row + rows.after[place.row] + 1),
-           slice(place.column - columns.before[place.column], place.column + columns.after[place.column] + 1))
+    box = box_of(place, rows, columns)
     regime, impacts, period, share = (file.data.values(name, (slice(None), box[0]))[:, :, box[1]] for name in
                                       ("attractor_regime", "attractor_impacts", "attractor_period", "basin_share"))
     names = np.where(regime == PERIODIC, np.char.add(np.char.add(impacts.astype(str), "/"), period.astype(str)),
                      np.array(NAMES)[np.clip(regime, 0, len(NAMES) - 1)])
     names[regime == NOT_COMPUTED] = ""
-    own = f"{place.orbit[0]}/{place.orbit[1]}"
+    own = place.z
     found = [LeftOut(str(name), int((names == name).any(axis=0).sum()), float(np.where(names == name, share, 0).sum(axis=0).max()))
              for name in np.unique(names) if name not in ("", own)]
     return sorted(found, key=lambda one: (-one.share, -one.cells, one.name))
@@ -116,7 +96,7 @@ def text_of_left_out(found: list[LeftOut], stays_free: bool) -> str:
 
 def text_of_sampling(starts: int, share: float | None) -> str:
     """What this many starts per cell imply for all starts, if all, or a share of them, end in one motion."""
-    others = ", ".join(f"{starts_needed(1 - each)} exclude more than {100 * each:g} %" for each in USUAL
+    others = ", ".join(f"{draws_needed(1 - each)} exclude more than {100 * each:g} %" for each in USUAL
                        if each < share_excluded(starts))
     if share is None:
         return (f"by sampling: all {starts} starts of each cell of a box end in it, and no other motion is known there; a motion with less than "

@@ -4,13 +4,14 @@ import os
 import re
 import subprocess
 import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from ..files.whole_file import write_text
-from ..maps.map_file import PeterkaFile
+from ..maps.map_file import Axis, PeterkaFile
 from ..plotting.coordinates import in_words
 from .admitted import Quantity, admitted, read_code
 from .drift import Reach
@@ -46,18 +47,14 @@ class Verified:
 def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts: str | float, quantity: Quantity,
            folder: Path, ranks: int = 1, binary: Path | None = None) -> Verified:
     """The Verified of a Place; its job and file are written to `folder`."""
-    text = str(file.data.attribute("job"))
     paths = axis_paths(file, file.data.attribute("job"))
     sizes = {}
     for name, axis, along, at in (("columns", file.columns, reaches[1], place.column),
                                   ("rows", file.rows, reaches[0], place.row)):
-        sizes[paths[name]] = _finer(axis, along, at)
-    folder.mkdir(parents=True, exist_ok=True)
-    job, box = folder / f"{file.path.stem}_box.toml", folder / f"{file.path.stem}_box.h5"
-    write_text(job, OF_THE_WHOLE_MAP.sub("", text))
-    _run(job, box, sizes, file, ranks, binary)
-    with PeterkaFile(box) as finer:
-        found = admitted(finer, starts, quantity.name)
+        sizes[paths[name]] = finer(axis, along.width, at)
+    box = compute(file, sizes, {"uncertainty.rigs": 0} if file.outcome_slots else {}, folder / f"{file.path.stem}_box", ranks, binary)
+    with PeterkaFile(box) as within:
+        found = admitted(within, starts, quantity.name)
         same = np.array([[read_code(code) == place.orbit for code in row] for row in found.code])
         values = np.where(same, found.value, np.nan)
         another = int(np.sum(~np.isfinite(values)))
@@ -65,7 +62,18 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
             return Verified(values.size, another, np.nan, (np.nan, np.nan))
         row, column = np.unravel_index(np.nanargmin(values), values.shape)
         return Verified(values.size, another, float(values[row, column]),
-                        (float(finer.rows.values[row]), float(finer.columns.values[column])))
+                        (float(within.rows.values[row]), float(within.columns.values[column])))
+
+
+def compute(file: PeterkaFile, sizes: Mapping[str, tuple[float, float, int]], changes: Mapping[str, object], output: Path,
+            ranks: int, binary: Path | None) -> Path:
+    """The file that the program computes of a map's job over other axes, {path: (from, to, points)}, with these changes of its keys:
+    `output` with the suffix .h5, beside its job."""
+    output.parent.mkdir(parents=True, exist_ok=True)
+    job, box = output.with_name(f"{output.name}.toml"), output.with_name(f"{output.name}.h5")
+    write_text(job, OF_THE_WHOLE_MAP.sub("", str(file.data.attribute("job"))))
+    _run(job, box, sizes, changes, file, ranks, binary)
+    return box
 
 
 def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
@@ -109,18 +117,18 @@ def _coordinate(path):
     return "_".join(path.split(".")[1:])
 
 
-def _finer(axis, along, at):
-    """(from, to, points) of the box around a place, in the numbers of the job."""
+def finer(axis: Axis, width: float, at: int) -> tuple[float, float, int]:
+    """(from, to, points) of the box of this half-width around a place, in the numbers of the job."""
     step = float(np.diff(axis.values).min())
-    width = max(along.width, NARROW * step)
-    points = int(np.clip(2 * round(FINER * width / step) + 1, FEWEST, MOST)) if along.width else 2
+    points = int(np.clip(2 * round(FINER * width / step) + 1, FEWEST, MOST)) if width else 2
+    width = max(width, NARROW * step)
     return (axis.values[at] - width) * axis.unit, (axis.values[at] + width) * axis.unit, points
 
 
-def _run(job, box, sizes, file, ranks, binary):
+def _run(job, box, sizes, more, file, ranks, binary):
     program = Path(binary or os.environ.get("PETERKA_BINARY") or BINARY)
     launcher = [] if ranks == 1 else [os.environ.get("MPIEXEC", "mpirun"), "-n", str(ranks)]
-    changes = {"audit.cells": 0, "refine.levels": 0}
+    changes = {"audit.cells": 0, "refine.levels": 0, **more}
     for path, (first, last, points) in sizes.items():
         changes |= {f"{path}.from": repr(float(first)), f"{path}.to": repr(float(last)), f"{path}.points": points,
                     f"{path}.scale": "linear"}

@@ -53,17 +53,17 @@ def place_in_words(file: PeterkaFile, place: Place) -> str:
     return ", ".join(in_words(file, axis, axis.values[at]) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
 
 
-def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:
-    """The table of the Places, as lines."""
+def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, share: str | None) -> list[str]:
+    """The table of the Places, as lines; `share`: what theirs is called, None where it isn't told."""
     heads = [_head(file, file.columns), _head(file, file.rows)]
     names = ["", "z", *heads, f"worst of its box [{quantity.unit}]", f"at the place [{quantity.unit}]"]
-    names += ["smallest share"] if with_share else []
+    names += [share] if share else []
     lines = []
     for number, place in enumerate(places, 1):
-        cells = [str(number), f"{place.orbit[0]}/{place.orbit[1]}",
+        cells = [str(number), place.z,
                  *(f"{_number(file, axis, at):.5g}" for axis, at in ((file.columns, place.column), (file.rows, place.row))),
                  units.number(quantity.factor * place.worst, 4), units.number(quantity.factor * place.value, 4)]
-        lines.append(cells + ([f"{100 * place.share:.4g} %"] if with_share else []))
+        lines.append(cells + ([f"{100 * place.share:.4g} %"] if share else []))
     widths = [max(len(line[n]) for line in [names, *lines]) for n in range(len(names))]
     return ["  ".join(cell.rjust(width) for cell, width in zip(line, widths)) for line in [names, *lines]]
 
@@ -71,7 +71,7 @@ def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_s
 def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapping[str, float]) -> list[str]:
     """Describes the best place; `fields` {dataset: the file's value there}."""
     newtons = file.newtons
-    lines = [f"best: {place_in_words(file, place)}, z = {place.orbit[0]}/{place.orbit[1]}: at least "
+    lines = [f"best: {place_in_words(file, place)}, {'commonest motion' if place.motion else 'z'} = {place.z}: at least "
              f"{units.amount(quantity.factor * place.worst, quantity.unit, 4)} in all cells of its box"]
     there = []
     if "peak_force_ratio" in fields:

@@ -72,6 +72,13 @@ def fill(colour: str | Fill) -> Fill:
     return _OF_CLASS.get(colour) or Fill(grey(lightness(colour)))
 
 
+def paler(colour: str | Fill, white: float) -> str | Fill:
+    """The Fill of a colour in the current palette with this share of white, 0 to 1."""
+    own = fill(colour)
+    pale = to_hex([(1 - white) * value + white for value in to_rgb(own.colour)])
+    return Fill(pale, own.hatch) if own.hatch else pale
+
+
 def textured(image: Integers, row_edges: Reals, column_edges: Reals, fills: Sequence[Fill],
              log: tuple[bool, bool] = (False, False)) -> tuple[Integers, Reals, Reals, list[str]]:
     """An image of class numbers (rows, columns) as a raster of colour numbers, for fills with hatchings.

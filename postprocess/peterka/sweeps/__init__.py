@@ -1,2 +1,2 @@
 """Sweeps: the checked file (sweep_file), elements shared by the pictures (sweep_panels), response and bifurcation diagrams,
-and residuals of measured points (residuals)."""
+the band of drawn rigs (uncertain_response), and residuals of measured points (residuals)."""

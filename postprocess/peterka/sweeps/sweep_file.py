@@ -19,6 +19,7 @@ from ..files.coordinates import coordinate
 from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC, UNRESOLVED, check_labels
+from ..maps.outcomes import QUANTILES, check_outcomes, quantiles
 
 MAX_POINTS = 2**20  # of all branches together
 MAX_SAMPLES = 2**27
@@ -79,7 +80,8 @@ class Branch:
 
 class SweepFile(OpenedFile):
     """A checked, open sweep: axis, its name axis_name, values (points,), branches, gaps (ratios unless gap_name is gap_m
-    because the cart's amplitude is the axis), and slots, the number of attractors stored at each point (0 without [starts])."""
+    because the cart's amplitude is the axis), slots, the number of attractors stored at each point (0 without [starts]), and
+    outcome_slots, that of outcomes (0 without [uncertainty])."""
 
     gap_name = "gap_ratio"
 
@@ -122,6 +124,11 @@ class SweepFile(OpenedFile):
         """The attractor slot of a branch at each of its points, (points,); negative if none."""
         return np.asarray(self.data.values("start_attractor", branch.row))
 
+    def force_quantiles(self, branch: Branch) -> Reals:
+        """Of QUANTILES over the drawn rigs, (3, points): of forces [F/(m g)], or of impact speeds [m/s]."""
+        names = quantiles(self.data)
+        return np.array([self.data.values(names[share], branch.row) for share in QUANTILES], dtype=float)
+
     def check_content(self) -> None:
         """Sets the documented members; raises PeterkaFileError for invalid content."""
         names = axes_of_job(self.data.attribute("job"))
@@ -135,6 +142,7 @@ class SweepFile(OpenedFile):
         if np.prod(shape) > MAX_POINTS:
             raise self.refusal(f"has {np.prod(shape)} points; at most {MAX_POINTS} can be drawn")
         self.slots = self._slots(shape)
+        self.outcome_slots = check_outcomes(self.data, shape, MAX_SAMPLES)
         self._check_samples(shape)
         directions = self._directions(len(gaps))
         self.branches = [self._branch(row, gap, direction, shape)

@@ -55,11 +55,11 @@ def direction_words(file: SweepFile, direction: str) -> str:
 
 
 def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tuple[str, float] | None, ax: Axes | None = None,
-           log: bool = False) -> dict[float | None, Axes]:
+           log: bool = False, told: str = "") -> dict[float | None, Axes]:
     """A figure with an Axes per gap, with the classes of its branches and its gap above it.
 
     `second` is the (label, factor) of a second scale at the right, or None;
-    `log`: whether the vertical axis is logarithmic. Returns {gap: Axes}."""
+    `log`: whether the vertical axis is logarithmic; `told`: in the title. Returns {gap: Axes}."""
     figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
                                     panels=len(file.gaps), columns=4, ax=ax)
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
@@ -80,7 +80,7 @@ def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tupl
         away = 3 if not has_scale_above else BESIDE if _has_room_beside(ax, text) else ABOVE
         ax.annotate(text, (0, above), xycoords="axes fraction", xytext=(0, away), textcoords="offset points", va="bottom",
                     fontsize=8, weight="bold")
-    axes.write_title(figure, file, axes.so_far(file).rstrip("\n"), all_axes[0])
+    axes.write_title(figure, file, axes.so_far(file) + told, all_axes[0])
     return dict(zip(file.gaps, all_axes))
 
 
@@ -121,7 +121,8 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
     ax.set_ylim(bottom, bottom * (top / bottom) ** (1 / (1 - head)) if logarithmic else bottom + (top - bottom) / (1 - head))
     for line, first, frequency, height, text, colour in placed:
         foot = 1 - 0.02 - ROW * (line + 1)
-        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=NOTE_LETTERS, color=colour,
+        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=NOTE_LETTERS,
+                    color="black" if style.is_grey() else colour,  # that of a branch would be pale there
                     path_effects=axes.outline(2), zorder=8)
         ax.plot([frequency, frequency], [height, _at_share(ax, foot)], color=colour, linewidth=0.5, zorder=1.5)
 

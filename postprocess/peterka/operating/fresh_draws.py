@@ -1,0 +1,88 @@
+"""What a place of a map with [uncertainty] is worth by fresh draws: the best of many places owes part of its value to the draws by
+which it was chosen.
+
+The program draws many more rigs, each at a place of its own within the drift, evenly in Hz and mm, for the one place: so drift, starts
+and rigs vary together. The draws of a low-discrepancy sequence begin with those of the map; all others are new.
+"""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..files.job_numbers import tables_of
+from ..maps.map_file import PeterkaFile
+from ..maps.outcomes import draws_of, quantiles
+from ..plotting import units
+from .admitted import Quantity
+from .drift import unit_of
+from .places import Place
+from .risk import KEPT, assured
+from .verify import ROUNDING, NotVerified, axis_paths, compute, finer
+
+TIMES, FEWEST, MOST = 16, 1024, 10_000  # draws, times those of the map; at least and at most
+SI = {"Hz": ("frequency_hz", 1.0), "mm": ("gap_m", 1e-3)}  # of a drift: key of the job, and its unit
+
+
+@dataclass(frozen=True)
+class Fresh:
+    """`rigs` drawn, `new` of them; the `value` reached with the probability asked for [as stored], and what of the place drifted, in
+    words, or is uncertain in the job already."""
+
+    rigs: int
+    new: int
+    value: float
+    drifts: str
+
+
+def draw_afresh(file: PeterkaFile, place: Place, drift: tuple[float, float], risk: float, folder: Path, ranks: int = 1,
+                binary: Path | None = None) -> Fresh:
+    """The Fresh of a Place with a drift [Hz, mm]; its job and file are written to `folder`."""
+    before = draws_of(file).count
+    rigs = min(MOST, max(FEWEST, TIMES * before))
+    paths = axis_paths(file, file.data.attribute("job"))
+    sizes = {paths[name]: finer(axis, 0.0, at) for name, axis, at in
+             (("columns", file.columns, place.column), ("rows", file.rows, place.row))}
+    offsets, drifts = _offsets(file, drift)
+    box = compute(file, sizes, {"uncertainty.rigs": rigs, **offsets}, folder / f"{file.path.stem}_draws", ranks, binary)
+    with PeterkaFile(box) as found:
+        name = quantiles(found.data)[KEPT[risk]]
+        value = float(np.min(found.data.values(name, slice(None))))
+        rigs = draws_of(found).count
+    if not math.isfinite(value):
+        raise NotVerified(f"the fresh draws of {file.path} have no value")
+    return Fresh(rigs, max(0, rigs - before), value, drifts)
+
+
+def text_of(found: Fresh, place: Place, risk: float, quantity: Quantity) -> str:
+    """The result in words, beside what the map promised."""
+    change = 100 * (found.value / place.worst - 1)
+    judged = "it holds" if found.value >= place.worst * (1 - ROUNDING) else f"it falls short by {-change:.3g} %"
+    return (f"{judged} in fresh draws: of {found.rigs:,} rigs, {found.new:,} of them new, {found.drifts}, {100 * risk:g} % reach "
+            f"{units.amount(quantity.factor * found.value, quantity.unit, 4)} ({change:+.2g} % beside the map's); of all at least "
+            f"{100 * assured(risk, found.rigs):.3g} %, in 19 cases of 20")
+
+
+def _uncertain_of_place(file):
+    """Which of "frequency" and "gap" the job has uncertain, by itself or with other numbers."""
+    uncertain = tables_of(file.data.attribute("job"))["uncertainty"]
+    keys = [*uncertain.get("operating_point", {}), *(str(key).removeprefix("operating_point.") for key in uncertain.get("covariance", {}).get("of", []))]
+    return {key.partition("_")[0] for key in keys}
+
+
+def _offsets(file, drift):
+    """{key of the job: end of an offset} of a drift along the axes in Hz and mm, and its words."""
+    own, changes, words = _uncertain_of_place(file), {}, []
+    for axis in (file.columns, file.rows):
+        unit = unit_of(file, axis.name)
+        if unit is None:
+            continue
+        width = dict(zip(SI, drift))[unit.unit]
+        key, factor = SI[unit.unit]
+        if key.partition("_")[0] in own:
+            words.append(f"{unit.what} as uncertain as the job has it, without drift")
+        elif width > 0:
+            changes |= {f"uncertainty.operating_point.{key}.from": -width * factor, f"uncertainty.operating_point.{key}.to": width * factor}
+            words.append(f"{unit.what} within ±{width:g} {unit.unit}")
+    return changes, f"at places of their own ({', '.join(words)})" if words else "at this place"

@@ -1,0 +1,84 @@
+"""The value that holds with a probability, over drift, starts and rigs together, from a map with [uncertainty].
+
+In each cell the file keeps the value that all but 5 % of the drawn rigs reach, each of them from a start of its own where the job has
+[starts]. The smallest one in a box around a cell is reached with that probability in all of its cells, and so wherever a drift within
+the box leads. How sure that is, with so many draws, follows from order statistics (peterka/sampling.py).
+"""
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..files.regimes import NOT_COMPUTED
+from ..maps.comparison import label_codes, name_of_code
+from ..maps.map_file import PeterkaFile
+from ..maps.outcomes import OUTCOMES, Draws, draws_of, probability, quantiles
+from ..sampling import draws_needed, least_share_above
+from .admitted import NO_REGIME, Admitted, Quantity
+from .drift import Reach
+from .places import Place, box_of
+
+KEPT = {0.95: 5, 0.5: 50}  # probability: per cent of the draws that may lie below the value
+ANY_MOTION = 0  # the code of all cells: whatever the motion, the value counts
+
+
+def refuse_untold(file: PeterkaFile, risk: float) -> Draws:
+    """The Draws of a map; refuses a probability that they can't tell."""
+    if file.outcome_slots == 0 or not quantiles(file.data):
+        raise file.refusal("was computed for one rig alone: what others do isn't known; compute it with [uncertainty], which tells what is "
+                           f"uncertain, and rigs = {draws_needed(risk)} or more")
+    draws, needed = draws_of(file), draws_needed(risk)
+    if draws.count < needed:
+        raise file.refusal(f"has {draws.count} rigs of each cell, which can't tell a probability of {risk:g}: were all of them to reach a value, "
+                           f"a share of {100 * (1 - risk):.3g} % that doesn't might be missed in more than one case of twenty; {needed} "
+                           f"could tell it: --set uncertainty.rigs={needed}")
+    if risk not in KEPT:
+        raise file.refusal(f"doesn't keep what is reached with a probability of {risk:g}; it does for {' and '.join(f'{each:g}' for each in KEPT)}")
+    return draws
+
+
+def quantity_at(file: PeterkaFile, risk: float) -> Quantity:
+    """The Quantity that is reached with this probability: a peak force, or the impact speed on a rigid stop."""
+    if quantiles(file.data)[KEPT[risk]].startswith("speed"):
+        return Quantity("impact_speed", f"impact speed with a probability of {risk:g}", 1.0, "m/s")
+    return Quantity("peak_force", f"peak force with a probability of {risk:g}", file.newtons or 1.0, "N" if file.newtons else "F/(m g)")
+
+
+def admitted_at(file: PeterkaFile, risk: float, regimes: Sequence[str] | None) -> Admitted:
+    """The Admitted of a map, whatever the motion; with `regimes`, ["p/q"], cells in which these have that probability together."""
+    name = quantiles(file.data)[KEPT[risk]]
+    pieces = []
+    for _, band in file.bands(["regime", name, *OUTCOMES]):
+        regime, impacts, period, shares = (band[each] for each in OUTCOMES)
+        likely = sum(probability(each, regime, impacts, period, shares) for each in regimes) if regimes else np.ones(band["regime"].shape)
+        sound = (band["regime"] != NOT_COMPUTED) & np.isfinite(band[name]) & (likely >= risk - 1e-9)
+        pieces.append((np.where(sound, ANY_MOTION, NO_REGIME), band[name], np.nan_to_num(shares[0])))
+    return Admitted(*(np.concatenate([piece[n] for piece in pieces]) for n in range(3)))
+
+
+def with_motions(file: PeterkaFile, places: Collection[Place], rows: Reach, columns: Reach) -> list[Place]:
+    """The Places with the commonest motion at each, and its smallest probability in the cells of the box as their share."""
+    return [_with_motion(file, place, box_of(place, rows, columns)) for place in places]
+
+
+def _with_motion(file, place, box):
+    regime, impacts, period, shares = (file.data.values(name, (slice(None), box[0]))[:, :, box[1]] for name in OUTCOMES)
+    row, column = place.row - box[0].start, place.column - box[1].start
+    code = int(label_codes(regime, impacts, period)[0, row, column])
+    name = name_of_code(code)
+    same = label_codes(regime, impacts, period) == code
+    return replace(place, motion=name, share=float(np.where(same, np.nan_to_num(shares), 0).sum(axis=0).min()))
+
+
+def assured(risk: float, draws: int) -> float:
+    """The share of all rigs that reach the value which the file keeps for this probability, at least, in 19 cases of 20."""
+    return least_share_above(math.ceil(draws * KEPT[risk] / 100), draws)
+
+
+def text_of_sampling(file: PeterkaFile, risk: float, draws: Draws) -> str:
+    """What the draws imply."""
+    starts = ", each from a start of its own" if file.slots else ", each from [start]"
+    return (f"by sampling: {draws.in_words}{starts}; in each cell of a box at least {100 * risk:g} % of them reach its worst value, and so they do "
+            f"wherever in the box the drift leads; of all rigs at least {100 * assured(risk, draws.count):.3g} %, in 19 cases of 20")

@@ -1,0 +1,112 @@
+"""operating_point.py --risk on a map of drawn rigs that the program computed: its value against plain loops over the file, fresh draws
+against plain random ones, solved one by one; pictures of such maps and sweeps."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+import jobs
+import launch
+import uncertain_rigs
+
+POSTPROCESS = Path(__file__).resolve().parents[2] / "postprocess"
+WEIGHT = 0.298 * 9.80665
+AXES = jobs.axis("frequency_ratio", 1.5, 2.5, 21) + jobs.axis("gap_ratio", 0.0, 1.5, 16)
+ACROSS, UP = 2, 1  # cells of the drift to either side: 0.4 Hz of 0.225 Hz, 0.08 mm of 0.089 mm
+DRIFT = ("--hz", "0.4", "--mm", "0.08")
+PLACES = ("at places of their own (frequency within ±0.4 Hz, gap within ±0.08 mm)",
+          "at places of their own (frequency within ±0.4 Hz, gap as uncertain as the job has it, without drift)")
+
+
+def compute(folder, kind="map", axes=AXES, rigs=64, file=None, more=""):
+    text = jobs.RIG.format(kind=kind, title="uncertain") + axes + more + uncertain_rigs.table(rigs, file)
+    return uncertain_rigs.compute(folder, text)[0]
+
+
+@pytest.fixture(scope="module", params=[None, "stop_identified.toml"], ids=["by key", "covariance"])
+def plane(request, tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("map"), file=request.param), request.param
+
+
+def program(name, folder, *arguments, code=0):
+    done = subprocess.run([sys.executable, POSTPROCESS / f"{name}.py", *map(str, arguments), "--formats", "png"], cwd=folder,
+                          capture_output=True, text=True, timeout=300, check=False, env=launch.ENVIRONMENT)
+    assert done.returncode == code, done.stderr
+    return done.stderr if code else done.stdout
+
+
+def read(path):
+    with xarray.open_dataset(path) as file:
+        return {name: file[name].values for name in file.variables}, file.attrs["job"]
+
+
+def plain_forces(place, with_covariance, monkeypatch, count=600):
+    """The forces [N] of random rigs at places within the drift; the gap is either uncertain with the stop, or drifts."""
+    if not with_covariance:
+        monkeypatch.setattr(uncertain_rigs, "MATRIX", np.zeros((3, 3)))
+    random, own = np.random.default_rng(1), uncertain_rigs.paper_rig()
+    cells = []
+    for _ in range(count):
+        hz, mm = random.uniform(-0.4, 0.4), 0.0 if with_covariance else random.uniform(-0.08, 0.08)
+        cells += uncertain_rigs.numpy_draws(own, random, 1, (place[0] + hz / 4.5, place[1] + mm / 0.89))
+    return WEIGHT * uncertain_rigs.solve(cells)[1]
+
+
+def test_the_best_place_and_what_fresh_draws_say_of_it(tmp_path, plane, monkeypatch):
+    path, places = plane[0], PLACES[plane[1] is not None]
+    told = program("operating_point", tmp_path, path, *DRIFT, "--risk", "0.95", "--verify")
+    low = read(path)[0]["force_q05_ratio"]
+    height, width = low.shape
+    least = np.array([[low[row - UP:row + UP + 1, column - ACROSS:column + ACROSS + 1].min() for column in range(ACROSS, width - ACROSS)]
+                      for row in range(UP, height - UP)])
+    best = float(re.search(r"at least ([\d.]+) N in all cells", told)[1])
+    assert best == pytest.approx(WEIGHT * least.max(), rel=1e-3)
+
+    cells, job = read(tmp_path / "pictures" / "job_draws.h5")
+    fresh = WEIGHT * cells["force_q05_ratio"].min()
+    line = told.splitlines()[-1]
+    assert f"of 1,024 rigs, 960 of them new, {places}, 95 % reach {fresh:.4g} N" in line and "rigs = 1024" in job
+    assert line.startswith("it holds" if fresh >= best else "it falls short")
+    assert ("gap_m]\nfrom = -8" in job) == ("gap within" in places)
+
+    place = [float(number) for number in re.search(r"best: frequency_ratio ([\d.]+) .*, gap_ratio ([\d.]+) ", told).groups()]
+    forces = plain_forces(place, plane[1] is not None, monkeypatch)
+    reach = np.mean(forces >= fresh * (1 - 1e-6))
+    assert reach == pytest.approx(0.95, abs=4 * np.sqrt(0.95 * 0.05 * (1 / len(forces) + 1 / 1024)))
+    assert 0.9 < np.mean(forces >= best) <= 1
+
+
+def test_few_rigs_are_refused(tmp_path):
+    path = compute(tmp_path, rigs=24, axes=jobs.axis("frequency_ratio", 1.5, 2.5, 4) + jobs.axis("gap_ratio", 0.0, 1.5, 4))
+    refusal = program("operating_point", tmp_path, path, "--hz", "0", "--mm", "0", "--risk", "0.95", code=2)
+    assert "has 24 rigs of each cell" in refusal and "--set uncertainty.rigs=59" in refusal
+
+
+def test_a_box_is_verified_for_the_job_s_own_rig_alone_where_no_risk_is_asked_for(tmp_path, plane):
+    told = program("operating_point", tmp_path, plane[0], *DRIFT, "--verify")
+    assert "finer box" in told and "outcome_probability" not in read(tmp_path / "pictures" / "job_box.h5")[0]
+
+
+def test_maps_and_sweeps_are_drawn_and_exported(tmp_path, plane):
+    program("draw", tmp_path, plane[0], "--export", "csv")
+    names = {path.name for path in (tmp_path / "pictures").iterdir()}
+    assert {"job_outcome.png", "job_force_q05.png", "job_probability_1_1.png", "job_probability_impacts.png", "job.csv"} <= names
+    cells, _ = read(plane[0])
+    path = compute(tmp_path, "sweep", jobs.axis("frequency_ratio", 1.5, 2.5, 21), file=plane[1],
+                   more="\n[sweep]\ngap_ratio = [0.0, 0.5]\n")
+    assert "job_response_of_rigs.png" in program("draw", tmp_path, path)
+    branches, _ = read(path)
+    assert np.allclose(branches["force_q50_ratio"][branches["gap_ratio"] == 0.0], cells["force_q50_ratio"][0], rtol=1e-6)
+
+
+def test_a_refined_map_of_a_rigid_stop_has_speeds(tmp_path):
+    text = jobs.with_rigid_stop(jobs.RIG.format(kind="map", title="rigid") + AXES + "\n[refine]\nlevels = 1\n" + uncertain_rigs.table(64))
+    path = uncertain_rigs.compute(tmp_path, text)[0]
+    assert "job_force_q05.png" in program("draw", tmp_path, path)
+    told = program("operating_point", tmp_path, path, *DRIFT, "--risk", "0.95", "--verify")
+    assert "impact speed with a probability of 0.95" in told and "m/s" in told.splitlines()[-1]

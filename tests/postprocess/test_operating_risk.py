@@ -1,0 +1,169 @@
+"""operating_point.py --risk on synthetic maps of drawn rigs: against plain loops, what is refused, and what fresh draws are asked for."""
+
+import math
+import stat
+import sys
+
+import numpy as np
+import pytest
+from peterka.maps.map_file import PeterkaFile
+from peterka.operating import fresh_draws, risk
+from peterka.operating.drift import reach, worst_of_boxes
+from peterka.sampling import draws_needed, least_share, least_share_above
+from picture_samples import write_map
+from sealing import SealedFile
+from starts_samples import EMPTY
+from uncertain_samples import KINDS, by_probability, forces, probabilities, write_uncertain
+
+WEIGHT = 0.298 * 9.80665
+ROWS, COLUMNS = 24, 32
+LOW = forces(ROWS, COLUMNS)[0]
+
+
+@pytest.fixture
+def operate(tmp_path, run_program):
+    return lambda *arguments: run_program("operating_point", *arguments, "--formats", "png")
+
+
+def plain(low, sure, hz, mm):
+    """The least of each cell's box by loops; the sample's cells are 4.5 * 3 / 31 Hz and 0.89 * 3 / 23 mm apart."""
+    across, up = (math.ceil(width / step - 1e-9) for width, step in ((hz, 4.5 * 3 / (COLUMNS - 1)), (mm, 0.89 * 3 / (ROWS - 1))))
+    result = np.full(low.shape, np.nan)
+    for i, j in np.ndindex(low.shape):
+        box = slice(i - up, i + up + 1), slice(j - across, j + across + 1)
+        if i < up or j < across or i + up >= ROWS or j + across >= COLUMNS or not sure[box].all():
+            continue
+        result[i, j] = low[box].min()
+    return result
+
+
+@pytest.mark.parametrize("hz, mm", [(0.0, 0.0), (0.5, 0.1), (1.0, 0.3)])
+@pytest.mark.parametrize("regimes", [None, ["1/1"], ["1/1", "2/2"]])
+def test_the_value_is_the_least_of_the_box(tmp_path, hz, mm, regimes):
+    shares = probabilities(ROWS, COLUMNS)
+    likely = {None: np.ones_like(shares[0]), "1/1": shares[0], "1/1,2/2": shares[0] + shares[2]}[",".join(regimes) if regimes else None]
+    with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file:
+        found = risk.admitted_at(file, 0.95, regimes)
+        worst = worst_of_boxes(found, *(reach(file, axis, hz, mm) for axis in (file.rows, file.columns)))
+    expected = plain(LOW, likely >= 0.95, hz, mm)
+    assert np.isfinite(expected).sum() > 10
+    np.testing.assert_allclose(worst, expected)
+
+
+def test_the_best_place_is_told_in_words_and_drawn(tmp_path, operate):
+    code, told, complaint = operate(write_uncertain(tmp_path / "a.h5"), "--risk", "0.95", "--hz", "0.5", "--mm", "0.1")
+    assert (code, complaint) == (0, "")
+    expected = plain(LOW, LOW >= 0, 0.5, 0.1)
+    best = WEIGHT * np.nanmax(expected)
+    lines = told.splitlines()
+    assert lines[1] == (f"peak force with a probability of 0.95, drift ±0.5 Hz, ±0.1 mm: above 0 in the boxes of "
+                        f"{100 * np.mean(expected > 0):.3g} % of the cells")
+    assert "64 rigs drawn: stop stiffness ±3 %" in told and "each from [start]" in told
+    # the fourth smallest of 64 draws: 5 % and no less
+    assert f"of all rigs at least {100 * least_share_above(4, 64):.3g} %, in 19 cases of 20" in told
+    place = next(line for line in lines if line.startswith("best: "))
+    assert "commonest motion = 1/1" in place and f"at least {best:.4g} N in all cells of its box" in place
+    head, first = next((line, lines[n + 1]) for n, line in enumerate(lines) if "its least probability" in line)
+    assert first.split()[1] == "1/1" and first.split()[-1] == "%" and float(first.split()[-2]) > 90 and "worst of its box [N]" in head
+    assert (tmp_path / "pictures" / "a_operating_point_risk.png").exists()
+
+
+def test_the_least_probability_is_that_of_the_box(tmp_path):
+    with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file:
+        rows, columns = (reach(file, axis, *drift) for axis, drift in ((file.rows, (0.5, 0.1)), (file.columns, (0.5, 0.1))))
+        place = risk.Place(3, 20, 1.0, 1.0, (0, 0), 0.0)
+        (found,) = risk.with_motions(file, [place], rows, columns)
+    assert found.z == "1/1" and found.share == pytest.approx(probabilities(ROWS, COLUMNS)[0][2:5, 18:23].min())
+
+
+def test_an_order_statistic_bounds_the_share_above_it():
+    """By drawing: in at least 19 of 20 sets, the share that reaches the k-th smallest is at least the bound, and in not many more."""
+    chance = np.random.default_rng(1)
+    for rank, draws in ((1, 59), (3, 59), (4, 64), (15, 300)):
+        above = 1 - np.sort(chance.random((20000, draws)), axis=1)[:, rank - 1]
+        assert np.mean(above >= least_share_above(rank, draws)) == pytest.approx(0.95, abs=0.006)
+    assert least_share_above(1, draws_needed(0.95)) >= 0.95 > least_share_above(1, draws_needed(0.95) - 1)
+    assert least_share(1.0, 59) == pytest.approx(least_share_above(1, 59))
+
+
+@pytest.mark.parametrize("rigs, asked, reason", [
+    (58, "0.95", "has 58 rigs of each cell, which can't tell a probability of 0.95"), (58, "0.95", "59 could tell it: --set uncertainty.rigs=59"),
+    (64, "0.99", "299 could tell it"), (300, "0.99", "doesn't keep what is reached with a probability of 0.99; it does for 0.95 and 0.5"),
+    (4, "0.5", "5 could tell it")])
+def test_what_the_draws_cannot_tell_is_refused(tmp_path, operate, rigs, asked, reason):
+    code, told, complaint = operate(write_uncertain(tmp_path / "a.h5", rigs=rigs), "--risk", asked)
+    assert (code, told) == (2, "") and reason in complaint and complaint.count("\n") == 1
+    assert not (tmp_path / "pictures").exists()
+
+
+@pytest.mark.parametrize("arguments, reason", [
+    (["--risk", "1"], "'1' is not a probability between 0 and 1"), (["--risk", "x"], "'x' is not a probability"),
+    (["--risk", "0.95", "--starts", "any"], "it doesn't go with --starts"),
+    (["--risk", "0.95", "--quantity", "contact_power"], "--risk doesn't go with --quantity contact_power"),
+    (["--risk", "0.95", "--regime", "7/1"], "has no place at which the hammer impacts in 7/1 with a probability of 0.95")])
+def test_bad_questions_are_refused(tmp_path, operate, arguments, reason):
+    code, _, complaint = operate(write_uncertain(tmp_path / "a.h5"), *arguments)
+    assert code == 2 and reason in complaint and complaint.count("\n") == 1
+
+
+def test_a_map_of_one_rig_is_refused(tmp_path, operate):
+    code, _, complaint = operate(write_map(tmp_path / "a.h5"), "--risk", "0.95")
+    assert code == 2 and "was computed for one rig alone" in complaint and "rigs = 59 or more" in complaint
+
+
+def test_a_rigid_stop_has_a_speed_with_a_probability(tmp_path, operate):
+    path = write_uncertain(tmp_path / "a.h5", names=("speed_q05", "speed_q50", "speed_q95"), quantiles=forces(ROWS, COLUMNS) / 100)
+    code, told, _ = operate(path, "--risk", "0.95", "--hz", "0", "--mm", "0")
+    assert code == 0 and "impact speed with a probability of 0.95" in told
+    assert f"at least {1000 * LOW.max() / 100:.4g} mm/s" in told
+
+
+def test_empty_slots_are_no_motion():
+    kinds, shares = by_probability(np.array([[[0.0]], [[1.0]], [[0.0]], [[0.0]]]))
+    assert kinds[0, 0, 0].tolist() == list(KINDS[1]) and kinds[1, 0, 0].tolist() == list(EMPTY) and shares[0, 0, 0] == 1
+
+
+PROGRAM = """#!{python}
+import sys
+sys.path[:0] = {path}
+from uncertain_samples import write_uncertain
+from pathlib import Path
+import numpy as np
+words = sys.argv[1:]
+Path({noted!r}).write_text("\\n".join(words))
+rigs = int(dict(word.split("=") for word in words if "=" in word)["uncertainty.rigs"])
+quantiles = np.full((3, 2, 2), {value})
+quantiles[0, 1, 1] += 1  # the least of the cells counts
+write_uncertain(Path(words[words.index("--output") + 1]), 2, 2, rigs=rigs, quantiles=quantiles)
+"""
+
+
+@pytest.mark.parametrize("value, words", [(50.0, "it holds in fresh draws"), (30.0, "it falls short by ")])
+def test_fresh_draws_are_many_more_over_the_drift(tmp_path, operate, value, words):
+    program, noted = tmp_path / "program", tmp_path / "noted"
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value))
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    path = write_uncertain(tmp_path / "a.h5")
+    code, told, complaint = operate(path, "--risk", "0.95", "--hz", "0.5", "--mm", "0.1", "--verify", "--peterka", program)
+    assert (code, complaint) == (0, "")
+    worst = np.nanmax(plain(LOW, LOW >= 0, 0.5, 0.1))
+    line = told.splitlines()[-1]
+    assert line.startswith(words) and f"95 % reach {WEIGHT * value:.4g} N ({100 * (value / worst - 1):+.2g} %" in line
+    assert "of 1,024 rigs, 960 of them new, at places of their own (frequency within ±0.5 Hz, gap within ±0.1 mm)" in line
+    assert f"of all at least {100 * least_share_above(52, 1024):.3g} %, in 19 cases of 20" in line
+    keys = dict(word.split("=") for word in noted.read_text().splitlines() if "=" in word)
+    assert [float(keys[f"uncertainty.operating_point.{key}"]) for key in ("frequency_hz.from", "frequency_hz.to", "gap_m.from", "gap_m.to")] == [
+        -0.5, 0.5, pytest.approx(-1e-4), pytest.approx(1e-4)]
+    assert keys["axes.frequency_ratio.points"] == keys["axes.gap_ratio.points"] == "2"
+
+
+@pytest.mark.parametrize("table", ["[uncertainty.operating_point.gap_ratio]\nstandard_deviation = 0.01\n",
+                                   '[uncertainty.covariance]\nof = ["operating_point.gap_m"]\nmean = [0.0]\nmatrix = [[1e-9]]\n'])
+def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path, table):
+    path = write_uncertain(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file.attrs["job"] += table
+    with PeterkaFile(path) as file:
+        changes, words = fresh_draws._offsets(file, (0.5, 0.1))
+    assert set(changes) == {f"uncertainty.operating_point.frequency_hz.{end}" for end in ("from", "to")}
+    assert words == "at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it, without drift)"
