@@ -1,6 +1,7 @@
 """The second proof without the program: steps against scipy's DOP853, claims of three cells that the program proved, and altered ones."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -98,12 +99,21 @@ def test_a_rig_by_other_keys_is_the_same():
     assert float(one_rig.force_unit) == pytest.approx(omega**2 * 0.89e-3 / 9.80665, rel=1e-14)
 
 
+@cache
+def guessed():
+    """(rig, guess) of the claim on NUMBERS."""
+    return rig_of(NUMBERS), guessing.guess_of(rig_of(NUMBERS), CLAIM.displacement, CLAIM.velocity, 1)
+
+
+@cache
+def orbit_of_claim():
+    return shooting.prove(*guessed(), 1 << 110, {1.0})
+
+
 @pytest.fixture
 def proved():
     """(the orbit of NUMBERS, which is proved; a function: the verdict of the claim, changed, on this or another orbit)."""
-    rig = rig_of(NUMBERS)
-    guess, radius = guessing.guess_of(rig, CLAIM.displacement, CLAIM.velocity, 1), 1 << 110
-    orbit = shooting.prove(rig, guess, radius, {1.0})
+    (rig, guess), orbit, radius = guessed(), orbit_of_claim(), 1 << 110
     return orbit, lambda orbit=orbit, **changes: cells._compared(replace(CLAIM, **changes), rig, guess, orbit, radius)
 
 
@@ -140,12 +150,48 @@ def test_a_period_of_two_of_its_own_is_contradicted():
     assert verdict_of(NUMBERS, replace(CLAIM, period=2, impacts=2)) == cells.Verdict(CONTRADICTED, "it repeats itself after 1 cycles")
 
 
+def test_a_shorter_period_is_shown_and_not_concluded(monkeypatch):
+    """From an orbit that is the same after half its period: the box of the shorter one must hold it."""
+    (rig, guess), orbit = guessed(), orbit_of_claim()
+    twice = replace(guess, period=2, events=[*guess.events, *((time + 1, kind) for time, kind in guess.events)])
+    cells._show_shorter(rig, twice, orbit, 1 << 110, 1)
+    with pytest.raises(Undecided, match="may have a shorter period"):
+        cells._show_shorter(rig, twice, replace(orbit, start=tuple(Ball(x.middle, 1 << 100) for x in orbit.start)), 1 << 110, 1)
+    elsewhere = replace(orbit, stops={2.0: orbit.stops[1.0], guess.time + 1: orbit.start})
+    monkeypatch.setattr(cells, "_show_shorter", lambda *_: pytest.fail("was shown"))
+    with pytest.raises(pytest.fail.Exception, match="was shown"):
+        cells._compared(replace(CLAIM, period=2, impacts=2), rig, twice, elsewhere, 1 << 110)
+
+
+@pytest.mark.parametrize("event, place, speed, acceleration, is_shown", [
+    (shooting.TOUCH, 0.1, 1.0, 0.0, True), (shooting.TOUCH, 0.1, -1.0, 0.0, False),
+    (shooting.RELEASE, 0.1, -1.0, -1.0, True), (shooting.RELEASE, 0.1, 1.0, 1.0, False),
+    (shooting.RENEWED, 0.2, 1.0, 1.0, True), (shooting.RENEWED, 0.2, -1.0, -1.0, False), (shooting.RENEWED, 0.05, 1.0, 1.0, False)])
+def test_while_motions_have_their_event_no_other_follows(event, place, speed, acceleration, is_shown):
+    """At a gap of 0.1: a touch rises, a release falls, and a renewed contact is beyond the gap."""
+    rig, guess = guessed()
+    shot = shooting.Shot(rig, guess, tuple(map(Ball.of, guess.state)), 1 << 110)
+    met = Ball.of(place), Ball.of(speed)
+    if is_shown:
+        shot._show_after(event, met, Ball.of(acceleration))
+    else:
+        with pytest.raises(Undecided, match="another may follow at once"):
+            shot._show_after(event, met, Ball.of(acceleration))
+
+
+def test_no_motion_is_followed_through_an_event_that_another_may_follow(monkeypatch):
+    told = []
+    monkeypatch.setattr(shooting.Shot, "_show_after", lambda _, event, *__: told.append(event))
+    rig, guess = guessed()
+    shooting.Shot(rig, guess, tuple(map(Ball.of, guess.state)), 1 << 110)
+    assert told == [shooting.TOUCH, shooting.RELEASE]
+
+
 def test_parts_of_a_period():
     assert [cells._parts(period) for period in (1, 2, 4, 12, 15, 7)] == [[], [2], [2], [2, 3], [3, 5], [7]]
 
 
-def test_where_no_orbit_is_or_contacts_take_long_nothing_is_decided():
-    assert verdict_of(NUMBERS, replace(CLAIM, displacement=1e3)).word == NOT_DECIDED
+def test_of_an_orbit_without_contacts_nothing_is_decided():
     far = NUMBERS | {"operating_point.gap_ratio": 50.0}
     found = verdict_of(far, replace(CLAIM, displacement=0.0, velocity=0.0))
     assert found == cells.Verdict(NOT_DECIDED, "the orbit meets no stop")
