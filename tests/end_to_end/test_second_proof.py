@@ -3,7 +3,6 @@
 import dataclasses
 import subprocess
 import sys
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -15,8 +14,7 @@ POSTPROCESS = Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.cli.check_proofs import claims_of  # noqa: E402
-from peterka.second_proof import balls, cells  # noqa: E402
-from peterka.second_proof.balls import Ball  # noqa: E402
+from peterka.second_proof import cells  # noqa: E402
 
 
 def text(points, settings="", rig=jobs.RIG):
@@ -86,38 +84,6 @@ def test_a_file_without_orbits_is_refused(tmp_path):
     finished = check(solved(tmp_path, text(2)))
     assert finished.returncode == 2
     assert "orbit" in finished.stderr
-
-
-@pytest.mark.parametrize("x, y", [(0.7, -1.3), (-2.5, 3.1), (1e-9, 1e9), (12.125, 0.1)])
-def test_balls_hold_what_exact_fractions_give(x, y):
-    def exact(ball):
-        return Fraction(ball.low, 1 << Ball.bits), Fraction(ball.high, 1 << Ball.bits)
-
-    def holds(ball, value):
-        low, high = exact(ball)
-        return low <= value <= high and high - low < Fraction(1 + abs(Fraction(y)), 1 << 60)
-
-    Ball.bits = 160
-    wide = Ball(Ball.of(x).middle, 1 << 80)
-    for change in (Fraction(-1, 1 << 80), 0, Fraction(1, 1 << 80)):
-        a, b = Fraction(x) + change, Fraction(y)
-        assert holds(wide + Ball.of(y), a + b) and holds(wide - Ball.of(y), a - b)
-        assert holds(wide * Ball.of(y), a * b) and holds(wide / Ball.of(y), a / b)
-        assert holds((wide * wide).sqrt(), abs(a)) and holds(wide.over(7), a / 7)
-    assert holds(balls.Series(wide, Ball.of(y)).at(Ball.of(x)), Fraction(x) + Fraction(y) * Fraction(x))
-
-
-def test_sine_and_cosine_and_pi():
-    Ball.bits = 160
-    sixth = Ball.of(1) / Ball.of(12)
-    half, root = balls.sine_cosine(sixth)[0], balls.sine_cosine(sixth)[1]
-    assert half.holds(Ball(1 << 159)) and half.radius < 1 << 10
-    three_quarters = root * root
-    assert three_quarters.holds(Ball(3 << 158)) and three_quarters.radius < 1 << 12
-    for turns in (-1.25, 0.0, 0.3, 7.5, 1e6 + 0.375):
-        sine, cosine = balls.sine_cosine(Ball.of(turns))
-        assert (sine * sine + cosine * cosine).holds(balls.one())
-    assert str(balls.pi().middle * 10**40 >> 160) == "31415926535897932384626433832795028841971"
 
 
 def test_a_rigid_stop_is_refused_in_words(tmp_path):

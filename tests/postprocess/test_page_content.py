@@ -107,6 +107,12 @@ def test_curves_have_their_points_and_orbits(tmp_path):
         for n, name in enumerate(("multiplier", "peak_force_ratio", "orbit_displacement", "orbit_velocity")):
             file[f"point_{name}"] = n + np.arange(count) / 10
             file[f"point_{name}"].dims[0].attach_scale(file["point"])
+        velocity = file["point_orbit_velocity"][()]
+        del file["point_orbit_velocity"]
+    assert content_of(path)[0]["curves"]["has_orbits"] is False  # half an orbit is none
+    with SealedFile(path, "r+") as file:
+        file["point_orbit_velocity"] = velocity
+        file["point_orbit_velocity"].dims[0].attach_scale(file["point"])
     content, numbers = content_of(path)
     curves = content["curves"]
     assert curves["has_orbits"] is True

@@ -1,8 +1,11 @@
 // Cells that never meet the stop are classified without a search, with the same result.
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <random>
 
+#include "regime/engine.hpp"
+#include "regime/lasting_motion_proof.hpp"
 #include "regime/scalar_engine.hpp"
 #include "regime/solve_cell.hpp"
 #include "rig.hpp"
@@ -63,6 +66,33 @@ TEST(SolveAtOnce, SaysWhatTheSearchSays) {
     }
     EXPECT_GT(at_once_too, 100);
     EXPECT_GT(by_search_alone, 200);
+}
+
+// Without its cubic term, of an effect e on the stiffness, a free motion may touch where the gap exceeds its
+// reach by less than L/3/(1 - L), L = e H (regime/lasting_motion_proof.hpp).
+TEST(SolveAtOnce, LeavesTheCubicTermOutAsFarAsItBringsNoTouch) {
+    job::Job job = testing::job_170mm(1e6);
+    job.hammer.damping_ns_per_m = 1;
+    job.solver.omit_tolerance = 1;
+    const scene::Cell cell = scene::Scene(job).cell(0, 0);
+    const double zeta = cell.oscillator.damping_ratio;
+    const std::complex<double> swing =
+        9.0 / std::complex<double>(1 - 9.0, 2 * zeta * 3);  // of the settled motion
+    const auto stays_free = [&](double gap) {
+        scene::Cell settled = cell;
+        settled.oscillator.frequency = 3;
+        settled.oscillator.gap = gap;
+        settled.start = {swing.imag() - gap, 3 * swing.real()};
+        const auto found = solve_at_once(job, settled);
+        return found && found->regime == Regime::no_impact;
+    };
+    const double reach = std::abs(swing);
+    const double loop = effect_of_cubic(cell.oscillator, reach) * gain(zeta);
+    ASSERT_GT(loop, 0.01);
+    ASSERT_LT(loop, 0.9);
+    const double edge = reach * (1 + loop / 3 / (1 - loop));
+    EXPECT_FALSE(stays_free(edge * (1 - 1e-6)));
+    EXPECT_TRUE(stays_free(edge * (1 + 1e-6)));
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ def share_of_modes(recording: Recording, guess: Guess, begun: Begin) -> Number |
     scatter = float(np.sum((shares - changed)**2 / np.diag(covariance))) / max(len(kept) - 1, 1)
     own = float(weights @ covariance @ weights) * max(1.0, scatter)
     plus = 1 + restitution.value
-    share = Number(1 - changed / plus, float(np.hypot(np.sqrt(own) / plus, changed * (restitution.error or 0.0) / plus**2)))
-    return share if share.error is not None and share.error < KNOWN else None
+    error = float(np.hypot(np.sqrt(own) / plus, changed * (restitution.error or 0.0) / plus**2))
+    return Number(1 - changed / plus, error) if error < KNOWN else None
 
 
 def share_words(share: Number) -> str:

@@ -1,0 +1,44 @@
+// A coarse map of the 170 mm rig without its cubic spring, solved on this rank.
+#pragma once
+
+#include "curves/coarse_map.hpp"
+#include "curves/rig.hpp"
+#include "rig.hpp"
+
+namespace peterka::curves::testing {
+
+struct MapExample {
+    scene::Scene scene;
+    Rig rig;
+    CoarseMap map{scene, rig};
+
+    MapExample(const job::Axis& frequency_ratio, const job::Axis& gap_ratio)
+        : MapExample(job_of(frequency_ratio, gap_ratio)) {}
+    MapExample(const MapExample&) = delete;
+    MapExample& operator=(const MapExample&) = delete;
+
+    [[nodiscard]] PlanePoint window() const {
+        const PlanePoint low = map.place(0);
+        const PlanePoint high = map.place(map.count() - 1);
+        return {high.column - low.column, high.row - low.row};
+    }
+    [[nodiscard]] std::int64_t cell(std::int64_t row, std::int64_t column) const {
+        return row * map.columns() + column;
+    }
+
+  private:
+    explicit MapExample(const job::Job& job) : scene(job), rig(job) {
+        std::vector<Numbers> parts;
+        for (std::int64_t part = 0; part < map.parts(); ++part) parts.push_back(map.solve(part));
+        map.put_together(parts);
+    }
+    static job::Job job_of(const job::Axis& frequency_ratio, const job::Axis& gap_ratio) {
+        job::Job job = peterka::testing::job_170mm(0);
+        job.kind = job::Kind::curves;
+        job.columns = frequency_ratio;
+        job.rows = gap_ratio;
+        return job;
+    }
+};
+
+}  // namespace peterka::curves::testing

@@ -1,0 +1,101 @@
+// Distances along rows and columns, against closed forms, searches next to them, and each other.
+#include "curves/edge_distance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coarse_map_example.hpp"
+
+namespace peterka::curves {
+namespace {
+
+using testing::MapExample;
+
+const MapExample& example() {
+    static const MapExample made({1.5, 3.5, 11}, {0.1, 1.6, 6});
+    return made;
+}
+std::vector<EdgeDistance> row(std::int64_t number, std::int64_t most_period = 2) {
+    return edge_distances(example().map, example().rig, most_period, {true, number});
+}
+std::vector<EdgeDistance> column(std::int64_t number) {
+    return edge_distances(example().map, example().rig, 2, {false, number});
+}
+double frequency(std::size_t number) {
+    return 1.5 + 0.2 * static_cast<double>(number);
+}
+scene::Oscillator<double> rig_at(double frequency_ratio, double gap_ratio) {
+    return peterka::testing::paper_rig(peterka::testing::beam_170mm, frequency_ratio, gap_ratio);
+}
+
+TEST(EdgeDistance, NumbersCellsAlongARowAndAColumn) {
+    EXPECT_EQ(cell_of(example().map, {true, 3}, 4), 37);
+    EXPECT_EQ(cell_of(example().map, {false, 3}, 4), 47);
+}
+
+// The motion without impacts ends where its swing is the gap.
+TEST(EdgeDistance, OfAFreeMotionIsToTheSwing) {
+    const auto along = row(5);
+    for (const std::size_t i : {2U, 3U, 6U, 10U}) {
+        EXPECT_EQ(along[i].kind, EdgeKind::grazing);
+        const double end = frequency(i) + along[i].change;
+        EXPECT_NEAR(peterka::testing::free_amplitude(rig_at(end, 1.6)), 1.6, 1e-9);
+        const auto across = column(static_cast<std::int64_t>(i))[5];
+        EXPECT_EQ(across.kind, EdgeKind::grazing);
+        EXPECT_NEAR(peterka::testing::free_amplitude(rig_at(frequency(i), 1)), 1.6 + across.change, 1e-9);
+    }
+}
+
+// On either side of its end, 0.01 away, searches find another motion.
+TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoubles) {
+    const auto along = row(0);
+    const double end = frequency(0) + along[0].change;
+    for (std::size_t i = 0; i < 7; ++i) {  // the doubled orbit begins where the other ends
+        EXPECT_EQ(along[i].kind, EdgeKind::period_doubling) << i;
+        EXPECT_NEAR(frequency(i) + along[i].change, end, 1e-9) << i;
+    }
+    EXPECT_EQ(peterka::testing::solve(rig_at(end - 0.01, 0.1)).period, 1);
+    EXPECT_EQ(peterka::testing::solve(rig_at(end + 0.01, 0.1)).period, 2);
+}
+
+TEST(EdgeDistance, OfAnOrbitIsToItsGrazing) {
+    const auto along = row(0)[8];  // 3/2
+    EXPECT_EQ(along.kind, EdgeKind::grazing);
+    const auto across = column(8)[0];
+    EXPECT_EQ(across.kind, EdgeKind::grazing);
+    EXPECT_EQ(peterka::testing::solve(rig_at(3.1 + along.change - 0.005, 0.1)).impacts, 3);
+    EXPECT_NE(peterka::testing::solve(rig_at(3.1 + along.change + 0.005, 0.1)).impacts, 3);
+    EXPECT_EQ(peterka::testing::solve(rig_at(3.1, 0.1 + across.change - 0.005)).impacts, 3);
+    EXPECT_NE(peterka::testing::solve(rig_at(3.1, 0.1 + across.change + 0.005)).impacts, 3);
+}
+
+// Its fold lies beyond the last row that the doubled orbits of this column have, and below 1.7.
+TEST(EdgeDistance, OfAColumnIsToItsFold) {
+    const auto along = column(2);
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(along[i].kind, EdgeKind::fold) << i;
+        EXPECT_NEAR(0.1 + 0.3 * static_cast<double>(i) + along[i].change, 0.1 + along[0].change, 1e-9) << i;
+    }
+    EXPECT_EQ(peterka::testing::solve(rig_at(1.9, 0.1 + along[0].change - 0.02)).impacts, 1);
+    EXPECT_EQ(peterka::testing::solve(rig_at(1.9, 0.1 + along[0].change + 0.005)).regime,
+              regime::Regime::no_impact);
+}
+
+TEST(EdgeDistance, IsNoneWhereNothingEndsInTheWindow) {
+    for (const EdgeDistance& each : {column(0)[0], column(0)[5], column(10)[2]}) {
+        EXPECT_EQ(each.kind, EdgeKind::none);
+        EXPECT_TRUE(std::isnan(each.change));
+    }
+}
+
+TEST(EdgeDistance, IsOfOrbitsThatCurvesCover) {
+    EXPECT_EQ(example().map.site(7).period, 4);
+    EXPECT_EQ(row(0)[7].kind, EdgeKind::no_orbit);
+    EXPECT_TRUE(std::isnan(row(0)[7].change));
+    EXPECT_NE(row(0, 4)[7].kind, EdgeKind::no_orbit);
+    EXPECT_EQ(row(1, 4)[8].kind, EdgeKind::no_orbit);  // chaos
+}
+
+}  // namespace
+}  // namespace peterka::curves
