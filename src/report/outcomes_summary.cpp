@@ -53,9 +53,10 @@ std::string outcomes_summary(const job::Job& job, const OutcomeFindings& finding
     std::string text = fmt::format("\nWhat {} uncertain rigs do in each {}\n",
                                    readable_count(job.uncertainty.rigs), is_sweep ? "point" : "cell");
     text += likely_ones(findings, is_sweep ? " of the points" : " of the plane");
-    text +=
-        fmt::format("  no outcome as likely: {}; the job's own rig ends otherwise than most of them: {}\n",
-                    readable_share(counts.open, counts.cells), readable_share(counts.other_own, counts.cells));
+    text += fmt::format("  no outcome as likely: {}; {} than most of them: {}\n",
+                        readable_share(counts.open, counts.cells),
+                        is_sweep ? "a branch is on another one" : "the job's own rig ends otherwise",
+                        readable_share(counts.other_own, counts.cells));
     if (counts.left_over > 0)
         text +=
             fmt::format("  {} {} have more outcomes than the {} that are kept\n",
