@@ -39,7 +39,7 @@ TEST(Scene, WritesNumbersInTheUnitsOfTheFile) {
     using enum cell::Dimension;
     EXPECT_EQ(scales.in_unit_of_file(10, label), 10);
     EXPECT_EQ(scales.in_unit_of_file(10, number), 10);
-    EXPECT_EQ(scales.in_unit_of_file(10, bound_of_speed), 10);
+    EXPECT_EQ(scales.in_unit_of_file(10, speed_of_file), 10);
     EXPECT_EQ(scales.in_unit_of_file(10, force_over_weight), 2.5);
     EXPECT_EQ(scales.in_unit_of_file(10, speed), 80);
     EXPECT_EQ(scales.in_unit_of_file(10, impulse), 7.5);
