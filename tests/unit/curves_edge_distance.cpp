@@ -10,28 +10,24 @@
 namespace peterka::curves {
 namespace {
 
-using testing::MapExample;
+using testing::coarse_map_example;
 
-const MapExample& example() {
-    static const MapExample made({1.5, 3.5, 11}, {0.1, 1.6, 6});
-    return made;
-}
 std::vector<EdgeDistance> row(std::int64_t number, std::int64_t most_period = 2) {
-    return edge_distances(example().map, example().rig, most_period, {true, number});
+    return edge_distances(coarse_map_example().map, coarse_map_example().rig, most_period, {true, number});
 }
 std::vector<EdgeDistance> column(std::int64_t number) {
-    return edge_distances(example().map, example().rig, 2, {false, number});
+    return edge_distances(coarse_map_example().map, coarse_map_example().rig, 2, {false, number});
 }
 double frequency(std::size_t number) {
     return 1.5 + 0.2 * static_cast<double>(number);
 }
 scene::Oscillator<double> rig_at(double frequency_ratio, double gap_ratio) {
-    return peterka::testing::paper_rig(peterka::testing::beam_170mm, frequency_ratio, gap_ratio);
+    return testing::paper_rig(testing::beam_170mm, frequency_ratio, gap_ratio);
 }
 
 TEST(EdgeDistance, NumbersCellsAlongARowAndAColumn) {
-    EXPECT_EQ(cell_of(example().map, {true, 3}, 4), 37);
-    EXPECT_EQ(cell_of(example().map, {false, 3}, 4), 47);
+    EXPECT_EQ(cell_of(coarse_map_example().map, {true, 3}, 4), 37);
+    EXPECT_EQ(cell_of(coarse_map_example().map, {false, 3}, 4), 47);
 }
 
 // The motion without impacts ends where its swing is the gap.
@@ -40,10 +36,10 @@ TEST(EdgeDistance, OfAFreeMotionIsToTheSwing) {
     for (const std::size_t i : {2U, 3U, 6U, 10U}) {
         EXPECT_EQ(along[i].kind, EdgeKind::grazing);
         const double end = frequency(i) + along[i].change;
-        EXPECT_NEAR(peterka::testing::free_amplitude(rig_at(end, 1.6)), 1.6, 1e-9);
+        EXPECT_NEAR(testing::free_amplitude(rig_at(end, 1.6)), 1.6, 1e-9);
         const auto across = column(static_cast<std::int64_t>(i))[5];
         EXPECT_EQ(across.kind, EdgeKind::grazing);
-        EXPECT_NEAR(peterka::testing::free_amplitude(rig_at(frequency(i), 1)), 1.6 + across.change, 1e-9);
+        EXPECT_NEAR(testing::free_amplitude(rig_at(frequency(i), 1)), 1.6 + across.change, 1e-9);
     }
 }
 
@@ -55,8 +51,8 @@ TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoubles) {
         EXPECT_EQ(along[i].kind, EdgeKind::period_doubling) << i;
         EXPECT_NEAR(frequency(i) + along[i].change, end, 1e-9) << i;
     }
-    EXPECT_EQ(peterka::testing::solve(rig_at(end - 0.01, 0.1)).period, 1);
-    EXPECT_EQ(peterka::testing::solve(rig_at(end + 0.01, 0.1)).period, 2);
+    EXPECT_EQ(testing::solve(rig_at(end - 0.01, 0.1)).period, 1);
+    EXPECT_EQ(testing::solve(rig_at(end + 0.01, 0.1)).period, 2);
 }
 
 TEST(EdgeDistance, OfAnOrbitIsToItsGrazing) {
@@ -64,10 +60,10 @@ TEST(EdgeDistance, OfAnOrbitIsToItsGrazing) {
     EXPECT_EQ(along.kind, EdgeKind::grazing);
     const auto across = column(8)[0];
     EXPECT_EQ(across.kind, EdgeKind::grazing);
-    EXPECT_EQ(peterka::testing::solve(rig_at(3.1 + along.change - 0.005, 0.1)).impacts, 3);
-    EXPECT_NE(peterka::testing::solve(rig_at(3.1 + along.change + 0.005, 0.1)).impacts, 3);
-    EXPECT_EQ(peterka::testing::solve(rig_at(3.1, 0.1 + across.change - 0.005)).impacts, 3);
-    EXPECT_NE(peterka::testing::solve(rig_at(3.1, 0.1 + across.change + 0.005)).impacts, 3);
+    EXPECT_EQ(testing::solve(rig_at(3.1 + along.change - 0.005, 0.1)).impacts, 3);
+    EXPECT_NE(testing::solve(rig_at(3.1 + along.change + 0.005, 0.1)).impacts, 3);
+    EXPECT_EQ(testing::solve(rig_at(3.1, 0.1 + across.change - 0.005)).impacts, 3);
+    EXPECT_NE(testing::solve(rig_at(3.1, 0.1 + across.change + 0.005)).impacts, 3);
 }
 
 // Its fold lies beyond the last row that the doubled orbits of this column have, and below 1.7.
@@ -77,9 +73,8 @@ TEST(EdgeDistance, OfAColumnIsToItsFold) {
         EXPECT_EQ(along[i].kind, EdgeKind::fold) << i;
         EXPECT_NEAR(0.1 + 0.3 * static_cast<double>(i) + along[i].change, 0.1 + along[0].change, 1e-9) << i;
     }
-    EXPECT_EQ(peterka::testing::solve(rig_at(1.9, 0.1 + along[0].change - 0.02)).impacts, 1);
-    EXPECT_EQ(peterka::testing::solve(rig_at(1.9, 0.1 + along[0].change + 0.005)).regime,
-              regime::Regime::no_impact);
+    EXPECT_EQ(testing::solve(rig_at(1.9, 0.1 + along[0].change - 0.02)).impacts, 1);
+    EXPECT_EQ(testing::solve(rig_at(1.9, 0.1 + along[0].change + 0.005)).regime, regime::Regime::no_impact);
 }
 
 TEST(EdgeDistance, IsNoneWhereNothingEndsInTheWindow) {
@@ -90,7 +85,7 @@ TEST(EdgeDistance, IsNoneWhereNothingEndsInTheWindow) {
 }
 
 TEST(EdgeDistance, IsOfOrbitsThatCurvesCover) {
-    EXPECT_EQ(example().map.site(7).period, 4);
+    EXPECT_EQ(coarse_map_example().map.site(7).period, 4);
     EXPECT_EQ(row(0)[7].kind, EdgeKind::no_orbit);
     EXPECT_TRUE(std::isnan(row(0)[7].change));
     EXPECT_NE(row(0, 4)[7].kind, EdgeKind::no_orbit);

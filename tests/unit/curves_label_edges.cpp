@@ -15,16 +15,12 @@
 namespace peterka::curves {
 namespace {
 
+using testing::coarse_map_example;
 using testing::MapExample;
-
-const MapExample& example() {
-    static const MapExample made({1.5, 3.5, 11}, {0.1, 1.6, 6});
-    return made;
-}
 
 // Where the orbit of one cell ends on the way to the other's place.
 Seed seed(std::int64_t from, std::int64_t to) {
-    const MapExample& one = example();
+    const MapExample& one = coarse_map_example();
     const auto orbit = one.map.orbit(from, one.window());
     EXPECT_TRUE(orbit);
     const auto end = follow(one.rig, *orbit, one.map.place(to), one.window()).seed;
@@ -33,7 +29,7 @@ Seed seed(std::int64_t from, std::int64_t to) {
 }
 
 Curve traced(const Seed& from, std::vector<double> gaps = {}) {
-    const MapExample& one = example();
+    const MapExample& one = coarse_map_example();
     return trace_curve(
         one.rig, from,
         {.low = one.map.place(0), .high = one.map.place(one.map.count() - 1), .gaps = std::move(gaps)});
@@ -43,13 +39,13 @@ Seed doubling_seed() {
     return seed(5, 6);
 }  // of 1/1, at the lowest gap
 Seed fold_seed() {
-    return seed(example().cell(1, 6), example().cell(1, 7));
+    return seed(coarse_map_example().cell(1, 6), coarse_map_example().cell(1, 7));
 }  // of 2/2
 
 auto cycle_at(const PlanePoint& place, const State<double>& start) {
-    return peterka::testing::observed(trajectory::ExactCycleMap<double>(peterka::testing::paper_rig(
-                                          peterka::testing::beam_170mm, place.column, place.row)),
-                                      start);
+    return testing::observed(
+        trajectory::ExactCycleMap<double>(testing::paper_rig(testing::beam_170mm, place.column, place.row)),
+        start);
 }
 
 // By the engine each point's orbit closes, and has the multiplier -1.
@@ -119,21 +115,22 @@ TEST(TracedCurve, HasItsCrossingsOfGaps) {
     EXPECT_NE(curve.crossings[0].place.row, curve.crossings[1].place.row);
 }
 
-std::int64_t count(const Curve& curve, LabelEdge edge) {
+std::int64_t points_with(const Curve& curve, LabelEdge edge) {
     return std::ranges::count(curve.points, edge, &CurvePoint::edge);
 }
 
 // 1/1 beside 2/2 all along the doubling; beside the fold, labels of 2/2 end before it does.
 TEST(LabelEdges, AreSeenWhereTheMapChanges) {
     Curve doubling = traced(doubling_seed());
-    tell_edges(example().rig, example().map, doubling);
+    tell_edges(coarse_map_example().rig, coarse_map_example().map, doubling);
     EXPECT_EQ(doubling.edge, LabelEdge::edge);
-    EXPECT_EQ(count(doubling, LabelEdge::edge), std::ssize(doubling.points));
+    EXPECT_EQ(points_with(doubling, LabelEdge::edge), std::ssize(doubling.points));
     Curve fold = traced(fold_seed());
-    tell_edges(example().rig, example().map, fold);
+    tell_edges(coarse_map_example().rig, coarse_map_example().map, fold);
     EXPECT_EQ(fold.edge, LabelEdge::edge);
-    EXPECT_GT(count(fold, LabelEdge::edge), 60);
-    EXPECT_EQ(count(fold, LabelEdge::edge) + count(fold, LabelEdge::same_label), std::ssize(fold.points));
+    EXPECT_GT(points_with(fold, LabelEdge::edge), 60);
+    EXPECT_EQ(points_with(fold, LabelEdge::edge) + points_with(fold, LabelEdge::same_label),
+              std::ssize(fold.points));
     for (const CurvePoint& point : fold.points) {
         EXPECT_TRUE(point.edge == LabelEdge::edge || point.place.row > 1.2);
     }
@@ -148,14 +145,14 @@ TEST(LabelEdges, HaveAReasonWhereTheMapHasNone) {
         Curve curve = traced(from);
         tell_edges(other.rig, other.map, curve);
         EXPECT_EQ(curve.edge, LabelEdge::other_start) << static_cast<int>(curve.kind);
-        EXPECT_EQ(count(curve, LabelEdge::edge) + count(curve, LabelEdge::same_label), 0);
-        EXPECT_GT(count(curve, LabelEdge::other_start), 20);
+        EXPECT_EQ(points_with(curve, LabelEdge::edge) + points_with(curve, LabelEdge::same_label), 0);
+        EXPECT_GT(points_with(curve, LabelEdge::other_start), 20);
     }
 }
 
 TEST(LabelEdges, OfACurveWithoutPointsAreNotTold) {
     Curve none;
-    tell_edges(example().rig, example().map, none);
+    tell_edges(coarse_map_example().rig, coarse_map_example().map, none);
     EXPECT_EQ(none.edge, LabelEdge::unknown);
 }
 
