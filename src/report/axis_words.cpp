@@ -88,13 +88,11 @@ std::string force_in_words(const job::Job& job, double ratio, double weight, int
 
 std::string start_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Job& job = scene.job();
-    const auto said = [&](std::string_view key, const char* ratio, const char* length, const job::Axis& axis,
-                          std::int64_t index) {
-        return fmt::format("{} {}", job::leads_in_si(job, key) ? length : ratio,
+    const auto said = [&](std::string_view key, const job::Axis& axis, std::int64_t index) {
+        return fmt::format("{} {}", label_in_words(key),
                            value_in_words(scene, key, job::axis_value(axis, index)));
     };
-    return fmt::format("{}, {}", said(column_key(job), "x/A0", "x", job.columns, column),
-                       said(row_key(job), "x'/(A0 omega)", "x'", job.rows, row));
+    return fmt::format("{}, {}", said(column_key(job), job.columns, column), said(row_key(job), job.rows, row));
 }
 
 std::string value_in_words(const scene::Scene& scene, std::string_view key, double value, int digits) {
@@ -119,6 +117,8 @@ int digits_apart(const job::Axis& axis) {
 std::string label_in_words(std::string_view key) {
     if (job::is_frequency(key)) return job::is_in_si(key) ? "frequency" : "Omega/omega";
     if (job::is_gap(key)) return job::is_in_si(key) ? "gap" : "gap/A0";
+    if (job::is_displacement(key)) return job::is_in_si(key) ? "x" : "x/A0";
+    if (job::is_velocity(key)) return job::is_in_si(key) ? "x'" : "x'/(A0 omega)";
     return std::string(key);
 }
 

@@ -40,7 +40,8 @@ namespace peterka {
 // Significant digits, 4 at least, that tell neighbouring values of an axis, and places half-way between, apart.
 [[nodiscard]] int digits_apart(const job::Axis& axis);
 
-// The label before it: "Omega/omega", "contact.damping_ns_per_m"; "frequency" for a value in SI units.
+// The label before it: "Omega/omega", "contact.damping_ns_per_m"; "frequency" for a value in SI units; "x'" or
+// "x'/(A0 omega)" of a start.
 [[nodiscard]] std::string label_in_words(std::string_view key);
 
 // "excitation frequencies and gaps", "values of contact.stiffness_n_per_m and contact.damping_ns_per_m"

@@ -10,6 +10,7 @@ from curves_samples import write_curves, write_distances
 from matplotlib.colors import to_hex
 from matplotlib.image import imread
 from matplotlib.text import Text
+from peterka.cli import draw
 from peterka.cli.picture_options import zoomed
 from peterka.plotting import figures, fills, style
 from peterka.plotting.classes import SECOND_COLOURS
@@ -174,7 +175,7 @@ def test_a_zoom_says_of_what_its_shares_and_its_border_are(tmp_path, zoom, share
     (["--zoom", "0,3", "--units", "si"], "has 1 point of frequency from 0 to 3 Hz; --zoom has to leave 2"),
     (["--zoom", "0,20,0,0.1", "--units", "si"], "has 1 point of gap from 0 to 0.1 mm; --zoom has to leave 2"),
     (["--zoom", "4,14"], "from 4 to 14; --zoom has to leave 2; it takes Hz with --units si"),
-    (["--zoom", "1,4,1,2", "--units", "si"], "from 1 to 4 Hz; --zoom has to leave 2; without --units si it takes ratios"),
+    (["--zoom", "1,4,1,2", "--units", "si"], "from 1 to 4 Hz; --zoom has to leave 2; as ratios these numbers fit: leave --units si out for them"),
     (["--only", "audit", "--zoom", "1,3"], "gives no picture audit with --zoom; it gives map"),
     (["--zoom", "3,1"], "wants the smaller number first"),
     (["--zoom", "1,2,3"], "is not 2 or 4 numbers"),
@@ -200,3 +201,14 @@ def test_a_figure_outside_any_style_is_refused():
         figures.new_figure(3, 3)
     with style.using(dpi=100):
         assert figures.new_figure(3, 3).dpi == 100
+
+
+def test_a_part_may_begin_below_zero_as_it_is_written(monkeypatch):
+    """argparse takes "-0.5,2" for an option of its own."""
+    for words in (["--zoom", "-0.5,2"], ["--zoom=-0.5,2"]):
+        monkeypatch.setattr("sys.argv", ["draw.py", *words, "map.h5"])
+        arguments = draw.read_arguments()
+        assert list(arguments.zoom) == [-0.5, 2.0] and [path.name for path in arguments.files] == ["map.h5"]
+    monkeypatch.setattr("sys.argv", ["draw.py", "--zoom", "--no-title", "map.h5"])
+    with pytest.raises(SystemExit):
+        draw.read_arguments()

@@ -71,9 +71,9 @@ def test_motions_that_a_file_does_not_keep_are_told(tmp_path):
     others, least = 1 - SHARES.sum(axis=0), SHARES.min(axis=0)
     with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file:
         told = {name: title_of(uncertain_map.draw_probability(file, probability=name)) for name in ("1/1", "3/2", "impacts")}
-    assert "outcomes, it may have" not in told["1/1"]
-    assert f"where a cell has more than 4 outcomes, it may have {100 * np.minimum(others, least).max():.2g} % more" in told["3/2"]
-    assert f"it may have {100 * np.minimum(others, 3 * least).max():.2g} % less" in told["impacts"]  # no impact is one of four, and kept
+    assert "outcomes, the probability may" not in told["1/1"]
+    assert f"where a cell has more than 4 outcomes, the probability may be up to {np.minimum(others, least).max():.2g} higher" in told["3/2"]
+    assert f"the probability may be up to {np.minimum(others, 3 * least).max():.2g} lower" in told["impacts"]  # no impact is one of four, and kept
 
 
 def test_the_commonest_outcome_has_its_colour_the_paler_the_less_likely(tmp_path):

@@ -46,5 +46,15 @@ TEST(DigitsApart, FourAreEnoughForCoarseAxesAndASinglePoint) {
     EXPECT_EQ(digits_apart({0.0, 0.0, 1, job::Spacing::linear}), 4);
 }
 
+TEST(AxisWords, LabelsSayWhichUnitFollows) {
+    EXPECT_EQ(label_in_words("frequency_hz"), "frequency");
+    EXPECT_EQ(label_in_words("gap_ratio"), "gap/A0");
+    EXPECT_EQ(label_in_words("displacement_m"), "x");
+    EXPECT_EQ(label_in_words("displacement_ratio"), "x/A0");
+    EXPECT_EQ(label_in_words("velocity_m_per_s"), "x'");
+    EXPECT_EQ(label_in_words("velocity_ratio"), "x'/(A0 omega)");
+    EXPECT_EQ(label_in_words("contact.damping_ns_per_m"), "contact.damping_ns_per_m");
+}
+
 }  // namespace
 }  // namespace peterka

@@ -5,9 +5,9 @@ import errno
 import os
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import IO, NoReturn
+from typing import IO, Any, NoReturn
 
 from matplotlib.figure import Figure
 
@@ -25,6 +25,17 @@ class OneLineParser(argparse.ArgumentParser):
 
     def __init__(self, description: str | None) -> None:
         super().__init__(description=_as_installed(description), formatter_class=argparse.RawDescriptionHelpFormatter)
+
+    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:
+        """Takes "--zoom -2,1" for "--zoom=-2,1": argparse would take -2,1 for an option."""
+        words: list[str] = []
+        for word in sys.argv[1:] if args is None else args:
+            follows_option = bool(words) and words[-1].startswith("--") and "=" not in words[-1]
+            if follows_option and re.match(r"-\.?\d[^-]*,", word):
+                words[-1] += f"={word}"
+            else:
+                words.append(word)
+        return super().parse_known_args(words, namespace)
 
     def error(self, message: str) -> NoReturn:
         """Ends the program with exit code 2."""

@@ -125,7 +125,7 @@ def _other_unit(file, axis, low, high, in_si):
     part = _shown(file, axis, low, high) if in_si else _shown(file, axis, low / unit.factor, high / unit.factor)
     if part.stop - part.start < 2:
         return ""
-    return "; without --units si it takes ratios" if in_si else f"; it takes {unit.unit} with --units si"
+    return "; as ratios these numbers fit: leave --units si out for them" if in_si else f"; it takes {unit.unit} with --units si"
 
 
 def _shown(file, axis, low, high):

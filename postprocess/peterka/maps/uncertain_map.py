@@ -140,8 +140,8 @@ def _has_others(file, wanted):
     if not file.data.has("outcome_others"):
         return []
     most = max(_may_be_off(wanted, band) for _, band in file.bands(["regime", "outcome_others", *OUTCOMES]))
-    return [f"where a cell has more than {file.outcome_slots} outcomes, it may have {100 * most:.2g} % "
-            f"{'less' if wanted == IMPACTS else 'more'}"] if most > 0 else []
+    return [f"where a cell has more than {file.outcome_slots} outcomes, the probability may be up to {most:.2g} "
+            f"{'lower' if wanted == IMPACTS else 'higher'}"] if most > 0 else []
 
 
 def _may_be_off(wanted, band):
