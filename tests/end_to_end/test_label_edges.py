@@ -80,7 +80,7 @@ def test_most_curves_have_an_edge_and_each_other_one_a_reason(curves):
     with_edge = int((data["curve_edge"] == EDGE).sum())
     assert with_edge > 0.8 * len(data["curve"])
     assert f"end on {with_edge} of the {len(data['curve'])} curves" in summary
-    told = {kind: sum(int(number) for number in re.findall(words + r".*?why (\d+) curves", summary)) for kind, words in (
+    told = {kind: sum(int(number) for number in re.findall(words + r".*?why (\d+) curves? ha[sv]e? no", summary)) for kind, words in (
         (SAME_LABEL, "but on both sides"), (OTHER_START, "ends elsewhere"), (NARROW, "narrower than a cell"))}
     assert told == {kind: int((data["curve_edge"] == kind).sum()) for kind in told}
     assert (data["point_edge"] == UNKNOWN).mean() < 0.01
