@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """How many periodic cells of random rigs are proved: maps of 24 x 24 cells of 25 rigs each with a spring and dashpot and with a
 rigid stop, with linear and with cubic springs; and of how many, where rounding doesn't decide, the start is proved to lead there. Fails
-below 97 %.
+below 97 and 95 %.
 
     PETERKA_RANDOM_RIGS=100 tests/endurance.sh proved_rigs     of each kind, instead of 25
 """
@@ -19,7 +19,7 @@ import numpy as np
 import parts
 
 RIGS = int(os.environ.get("PETERKA_RANDOM_RIGS", "25"))
-LEAST = 0.97
+LEAST, LEAST_FROM_START = 0.97, 0.95
 FAILED_CELLS = 4  # exit code: softening springs let a hammer escape
 SEED = 2026
 AXES = """[axes.frequency_ratio]
@@ -83,7 +83,7 @@ def main():
                     cells, verdicts, sure = cells + count, verdicts + of_rig, sure + of_sure
                 share = (verdicts.pop("orbit", 0) + verdicts.pop("start", 0)) / cells
                 from_start = sure["start"] / sure.total()
-                bad |= min(share, from_start) < LEAST
+                bad |= share < LEAST or from_start < LEAST_FROM_START
                 why = ", ".join(f"{count} {word}" for word, count in verdicts.most_common())
                 parts.row(f"a periodic cell without a proof: {RIGS} random rigs, {stop}, {'cubic' if cubic else 'linear'} springs", cells,
                           f"{100 * share:.2f} % proved, and the start of {100 * from_start:.2f} % of those with a sensitivity below 20; "
