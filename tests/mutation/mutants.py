@@ -89,34 +89,34 @@ def shuffled(mutants: list[Mutant], seed: int) -> list[Mutant]:
 
 def operand_begin(code: str, place: int) -> int:
     """Where the operand of || or && that ends here begins."""
-    depth, now = 0, place
-    while now > 0:
-        now -= 1
-        if code[now] in CLOSING:
-            if depth == 0 and code[now] == "}":
-                return now + 1
+    depth, index = 0, place
+    while index > 0:
+        index -= 1
+        if code[index] in CLOSING:
+            if depth == 0 and code[index] == "}":
+                return index + 1
             depth += 1
-        elif code[now] in OPENING:
+        elif code[index] in OPENING:
             if depth == 0:
-                return now + 1
+                return index + 1
             depth -= 1
-        elif depth == 0 and (code[now] in ";," or code.startswith(("|| ", "? ", ": ", "= ", "return "), now) and code[now - 1] in " \n\t"):
-            return now + len(re.match(r"\w+|\W+?(?=[ ;,\w(]|$)", code[now:]).group())
+        elif depth == 0 and (code[index] in ";," or code.startswith(("|| ", "? ", ": ", "= ", "return "), index) and code[index - 1] in " \n\t"):
+            return index + len(re.match(r"\w+|\W+?(?=[ ;,\w(]|$)", code[index:]).group())
     return 0
 
 
 def operand_end(code: str, place: int) -> int:
     """Where the operand of || or && that begins here ends."""
     depth = 0
-    for now in range(place, len(code)):
-        if code[now] in OPENING:
+    for index in range(place, len(code)):
+        if code[index] in OPENING:
             depth += 1
-        elif code[now] in CLOSING:
+        elif code[index] in CLOSING:
             if depth == 0:
-                return now
+                return index
             depth -= 1
-        elif depth == 0 and (code[now] in ";," or code.startswith((" || ", " ? ", " : "), now)):
-            return now
+        elif depth == 0 and (code[index] in ";," or code.startswith((" || ", " ? ", " : "), index)):
+            return index
     return len(code)
 
 
@@ -127,19 +127,19 @@ class Constants:
         self.functions, self.variables = [], []  # (begin, end), the latter from the word constexpr
         for place in re.finditer(r"\bconstexpr\b", code):
             depth, parameters, initialized = 0, False, False
-            for now in range(place.end(), len(code)):
-                if code[now] in OPENING:
-                    if code[now] == "{" and depth == 0 and parameters and not initialized:
-                        self.functions.append((place.start(), closing(code, now)))
+            for index in range(place.end(), len(code)):
+                if code[index] in OPENING:
+                    if code[index] == "{" and depth == 0 and parameters and not initialized:
+                        self.functions.append((place.start(), closing(code, index)))
                         break
-                    parameters |= code[now] == "(" and depth == 0
+                    parameters |= code[index] == "(" and depth == 0
                     depth += 1
-                elif code[now] in CLOSING:
+                elif code[index] in CLOSING:
                     depth -= 1
-                elif depth == 0 and code.startswith(" = ", now):
+                elif depth == 0 and code.startswith(" = ", index):
                     initialized = True
-                elif depth == 0 and code[now] == ";":
-                    self.variables.append((place.start(), now))
+                elif depth == 0 and code[index] == ";":
+                    self.variables.append((place.start(), index))
                     break
 
     def in_function(self, place: int) -> bool:
@@ -152,10 +152,10 @@ class Constants:
 
 def closing(code: str, place: int) -> int:
     depth = 0
-    for now in range(place, len(code)):
-        depth += (code[now] in OPENING) - (code[now] in CLOSING)
+    for index in range(place, len(code)):
+        depth += (code[index] in OPENING) - (code[index] in CLOSING)
         if depth == 0:
-            return now + 1
+            return index + 1
     return len(code)
 
 
@@ -216,13 +216,13 @@ def with_all(text: str, mutants: dict[int, Mutant]) -> tuple[str, list[int]]:
             closes = not infix and end == begin and what.startswith((")", " }"))
             order = (0, last - first) if closes else (1, 0) if infix and end == begin else (2, -(last - first))
             pieces.append((begin, *order, index, end, what))
-    out, now = [], 0
+    out, index = [], 0
     for begin, _, _, _, end, what in sorted(set(pieces)):
-        if begin < now:  # a constexpr that another mutant of the variable has turned already
+        if begin < index:  # a constexpr that another mutant of the variable has turned already
             continue
-        out += [text[now:begin], what]
-        now = end
-    return "".join(out) + text[now:], left
+        out += [text[index:begin], what]
+        index = end
+    return "".join(out) + text[index:], left
 
 
 def lines_of(mutant: Mutant, text: str) -> range:
