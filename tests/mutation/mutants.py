@@ -216,13 +216,13 @@ def with_all(text: str, mutants: dict[int, Mutant]) -> tuple[str, list[int]]:
             closes = not infix and end == begin and what.startswith((")", " }"))
             order = (0, last - first) if closes else (1, 0) if infix and end == begin else (2, -(last - first))
             pieces.append((begin, *order, index, end, what))
-    out, index = [], 0
+    out, done = [], 0
     for begin, _, _, _, end, what in sorted(set(pieces)):
-        if begin < index:  # a constexpr that another mutant of the variable has turned already
+        if begin < done:  # a constexpr that another mutant of the variable has turned already
             continue
-        out += [text[index:begin], what]
-        index = end
-    return "".join(out) + text[index:], left
+        out += [text[done:begin], what]
+        done = end
+    return "".join(out) + text[done:], left
 
 
 def lines_of(mutant: Mutant, text: str) -> range:
