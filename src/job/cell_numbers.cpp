@@ -60,21 +60,20 @@ class NumberSetter : public NumberWalker {
     double value_;
 };
 
-// Finds one number in a table, if the table has it. A pointer, for GCC 14 takes an optional here for
-// uninitialized.
+// Reads one number in a table, if the table has it.
 class NumberGetter : public NumberWalker {
   public:
     explicit NumberGetter(std::string_view name) : name_(name) {}
 
     void number(const Key& key, double& number, const Range<double>& /*range*/) {
-        if (key.name == name_) found = &number;
+        if (key.name == name_) value = number;
     }
     void either(const Alternative& first, const Alternative& second, std::string_view /*meaning*/) {
         for (const Alternative& one : {first, second}) {
-            if (one.key.name == name_ && one.value) found = &*one.value;
+            if (one.key.name == name_ && one.value) value = *one.value;
         }
     }
-    const double* found = nullptr;
+    std::optional<double> value;
 
   private:
     std::string_view name_;
@@ -149,7 +148,7 @@ double number_of(const CellNumbers& numbers, std::string_view key) {
     NumberGetter getter(key.substr(dot + 1));
     CellNumbers copy = numbers;
     if (!walk(copy, key.substr(0, dot), getter)) std::abort();  // as above
-    if (getter.found) return *getter.found;
+    if (getter.value) return *getter.value;
     return derived_number(numbers.hammer, key).value();
 }
 
