@@ -68,7 +68,7 @@ def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.Pa
 
 
 def check(job: str | os.PathLike | Mapping, **changes: Any) -> str:
-    """The meaning and cost of a job, as printed by the program's `check`; computes nothing. Raises JobError with all faults of the
+    """The meaning and cost of a job, as printed by the program's `check`. Raises JobError with all faults of the
     job, other PeterkaErrors if the program fails or is missing."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]

@@ -84,7 +84,8 @@ Request read_command_line(int argc, const char* const* argv) {
     add_job_options(*run, request);
     add_run_options(*run, request);
 
-    CLI::App* check = app.add_subcommand("check", "print the resolved job and what it costs; compute nothing");
+    CLI::App* check =
+        app.add_subcommand("check", "print the resolved job and, from a sample of its cells, what it costs");
     check->callback([&] { request.command = Command::check; });
     add_job_options(*check, request);
 

@@ -8,6 +8,7 @@
 #include "parallel/broadcast.hpp"
 #include "parallel/collective.hpp"
 #include "parallel/dealing.hpp"
+#include "parallel/listed_tiles.hpp"
 #include "regime/search_pool.hpp"
 #include "run/solve_tiles.hpp"
 
@@ -51,6 +52,16 @@ void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, pa
     });
 }
 
+regime::AttractorTable table_of(const scene::Scene& scene, std::int64_t pilots,
+                                std::vector<PilotAttractor> all) {
+    std::ranges::stable_sort(all, {}, &PilotAttractor::pilot);
+    std::vector<regime::FoundAttractor> found;
+    found.reserve(all.size());
+    for (const PilotAttractor& each : all) found.push_back(each.attractor);
+    const double cells_each = static_cast<double>(scene.job().cells()) / static_cast<double>(pilots);
+    return {scene.cell(0, 0).oscillator, found, cells_each};
+}
+
 }  // namespace
 
 regime::AttractorTable find_known_attractors(const parallel::Session& session, const scene::Scene& scene,
@@ -65,15 +76,22 @@ regime::AttractorTable find_known_attractors(const parallel::Session& session, c
                           .on_progress = [](std::int64_t) {}});
 
     std::vector<PilotAttractor> all = parallel::gather<PilotAttractor>(mine, session.communicator());
-    std::ranges::stable_sort(all, {}, &PilotAttractor::pilot);
-    std::vector<regime::FoundAttractor> found;
-    found.reserve(all.size());
-    for (const PilotAttractor& each : all) found.push_back(each.attractor);
-    const double cells_each = static_cast<double>(scene.job().cells()) / static_cast<double>(tiling.count());
     regime::AttractorTable table;
     parallel::together(session.communicator(),
-                       [&] { table = regime::AttractorTable(scene.cell(0, 0).oscillator, found, cells_each); });
+                       [&] { table = table_of(scene, tiling.count(), std::move(all)); });
     return table;
+}
+
+regime::AttractorTable find_known_attractors(const scene::Scene& scene) {
+    if (scene.job().kind != job::Kind::basin) return {};
+    const scene::Scene pilots(pilot_job(scene.job()));
+    const parallel::Tiling tiling({pilots.rows(), pilots.columns()}, {1, 1});
+    std::vector<parallel::Tile> all;
+    for (std::int64_t n = 0; n < tiling.count(); ++n) all.push_back(tiling.tile(n));
+    parallel::ListedTiles source(std::move(all));
+    std::vector<PilotAttractor> found;
+    solve_pilots(pilots, tiling, source, found);
+    return table_of(scene, tiling.count(), std::move(found));
 }
 
 }  // namespace peterka

@@ -16,4 +16,7 @@ namespace peterka {
 [[nodiscard]] regime::AttractorTable find_known_attractors(const parallel::Session& session,
                                                            const scene::Scene& scene, const StopRequest& stop);
 
+// The same attractors, found by this process alone.
+[[nodiscard]] regime::AttractorTable find_known_attractors(const scene::Scene& scene);
+
 }  // namespace peterka

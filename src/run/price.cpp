@@ -16,6 +16,7 @@
 #include "regime/engine.hpp"
 #include "report/outcomes_summary.hpp"
 #include "run/memory_left.hpp"
+#include "run/sampled_cost.hpp"
 #include "scene/scene.hpp"
 #include "support/readable.hpp"
 
@@ -91,20 +92,6 @@ std::int64_t coarse_map_bytes(const job::Job& job) {
     return job.cells() * of_cell;
 }
 
-// Forcing cycles of a cell with [starts], as counted on the window of the paper's rig of 170 mm (24 x 24 cells:
-// 57 per start with 64 starts; 12 x 12 cells: 78 with 16): about a dozen starts run in full, later ones end on
-// the attractors these found.
-double cycles_of_starts(const job::Job& job) {
-    const auto count = static_cast<double>(job.starts.count);
-    return 47 * count + 50 * std::min(count, 12.0);
-}
-
-// Forcing cycles of the rigs drawn for a cell, as counted on the same window (32 x 32 cells, 64 rigs): each
-// runs in full, from [start], which hardly moves most of them, or from a start of its own.
-double cycles_of_rigs(const job::Job& job) {
-    return static_cast<double>(job.uncertainty.rigs) * (job.starts.count > 0 ? 86 : 35);
-}
-
 // Cost of kicks on the plane of the paper's rig of 170 mm (16 x 16 cells, 16 starts), in cycles of the batch:
 // 850,000 for all attractors of a cell, mostly for long chaotic returns; and 34,000 for its own motion, each at
 // twice the time, as the kicks of one orbit fill the lanes less evenly.
@@ -113,19 +100,13 @@ double cycles_of_kicks(const job::Job& job) {
     return job.starts.count > 0 ? 850'000 : 68'000;
 }
 
-// Time of such a cycle, with everything it entails, on one core with AVX-512, as measured (with AVX2 the first
-// takes 1.5 times as long): in the batch, on a rigid or a yielding stop; in the batch with the cubic spring
-// kept, whose many kicks depend on the reach; one by one; by integrators, 130 to 320 on the stops tried.
-double microseconds_of_a_cycle(const job::Job& job) {
-    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
-    const job::EngineChoice engine = job.solver.engine;
-    const bool integrates = engine == job::EngineChoice::cvode || engine == job::EngineChoice::arkode ||
-                            regime::has_nonlinear_contact(rig);
-    if (integrates) return 200;
-    if (!regime::may_use_batch(rig, job.solver)) return 1.3;
-    const bool keeps_cubic =
-        rig.cubic != 0 && (engine == job::EngineChoice::split || job.solver.omit_tolerance == 0);
-    return keeps_cubic ? 2.6 : 0.33;
+// Where several branches share a gap, so do their starts and rigs.
+std::string each_in_words(const job::Job& job, std::int64_t count, std::string_view what) {
+    const bool is_sweep = job.kind == job::Kind::sweep;
+    const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
+    return fmt::format("{}{} in each {}, {:.3g} in all", readable_count(count), what,
+                       is_sweep ? "point" : "cell",
+                       static_cast<double>(count) * static_cast<double>(job.cells()) / shared);
 }
 
 }  // namespace
@@ -145,40 +126,53 @@ std::int64_t largest_curves_file(const job::Job& job) {
     return all_curves + job.cells() * of_cell;
 }
 
-// A cell whose starts settle at once takes a twentieth of the mean, a chaotic one ten times the mean: for few
-// cells the mean says little.
 std::string starts_price(const job::Job& job) {
-    const bool kicks = job.output.has(job::OptionalField::critical_kick);
-    if (job.starts.count == 0 && !kicks) return "";
-    constexpr double enough = 100;
-    const bool is_sweep = job.kind == job::Kind::sweep;
-    const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
-    const double cells = static_cast<double>(job.cells()) / shared;
-    const double starts = static_cast<double>(job.starts.count) * cells;
-    const double seconds =
-        cells * (cycles_of_starts(job) + cycles_of_kicks(job)) * microseconds_of_a_cycle(job) * 1e-6;
-    const std::string words =
-        cells < enough
-            ? fmt::format("from {} to {} of one core: few cells may all settle at once, or all be chaotic",
-                          readable_duration(seconds / 20), readable_duration(seconds * 10))
-            : fmt::format("some {} of one core, about", readable_duration(seconds));
-    if (job.starts.count == 0) return fmt::format("#   kicks    of the orbit of each cell: {}\n", words);
-    return fmt::format("#   starts   {} in each {}, {:.3g} in all{}: {}\n", readable_count(job.starts.count),
-                       is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
+    std::string text;
+    if (job.starts.count > 0)
+        text += fmt::format("#   starts   {}\n", each_in_words(job, job.starts.count, ""));
+    const double kicks = cycles_of_kicks(job);
+    if (kicks == 0) return text;
+    // a cell whose kicks all return at once takes a twentieth of the mean, one with long chaotic returns ten
+    // times
+    const double seconds = static_cast<double>(job.cells()) * kicks * usual_cycle_time(job);
+    return text + fmt::format(
+                      "#   kicks    of {}: some {} of one core more, between a twentieth and ten times as "
+                      "much where cells are few\n",
+                      job.starts.count > 0 ? "all attractors of each cell" : "the orbit of each cell",
+                      readable_duration(seconds));
 }
 
 std::string rigs_price(const job::Job& job) {
     if (job.uncertainty.rigs == 0) return "";
-    constexpr double own_rig = 1.2;  // a cycle where each has its own
-    const bool is_sweep = job.kind == job::Kind::sweep;
-    const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
-    const double cells = static_cast<double>(job.cells()) / shared;
-    const double seconds = cells * cycles_of_rigs(job) * own_rig * microseconds_of_a_cycle(job) * 1e-6;
     const std::string again = drawn_again_in_words(job);
-    return fmt::format("#   draws    {} rigs in each {}, {:.3g} in all: some {} of one core, about{}\n",
-                       readable_count(job.uncertainty.rigs), is_sweep ? "point" : "cell",
-                       static_cast<double>(job.uncertainty.rigs) * cells, readable_duration(seconds),
+    return fmt::format("#   draws    {}{}\n", each_in_words(job, job.uncertainty.rigs, " rigs"),
                        again.empty() ? "" : "; " + again);
+}
+
+std::string time_price(const job::Job& job) {
+    const SampledCost cost = sample_cost(job);
+    const auto cells = static_cast<double>(job.cells());
+    const bool is_sweep = job.kind == job::Kind::sweep;
+    const double seconds = cells * cost.seconds;
+    const double margin = 2 * cost.relative_error;
+    std::string text = fmt::format(
+        "#   time     {:.3g} cycles a {}: {}{} of one core{}", cost.cycles, is_sweep ? "point" : "cell",
+        cost.unseen_share > 0 ? "at least " : "some ", readable_duration(seconds),
+        job.kind == job::Kind::curves ? " for the coarse map"
+        : job.refine.levels > 0       ? " if all were computed, of which refinement spares a part"
+                                      : "");
+    text += cost.cells == job.cells() && !is_sweep
+                ? fmt::format("; all were tried here, in {}", readable_duration(cost.spent))
+                : fmt::format(", {} to {}, by {} of them solved here in {}",
+                              readable_duration(seconds / (1 + margin)),
+                              readable_duration(seconds * (1 + margin + cost.unseen_share)),
+                              readable_count(cost.cells), readable_duration(cost.spent));
+    if (cost.unseen_share > 0) text += "; some were given up there before max_cycles";
+    if (job.audit.cells > 0 && cost.integrated_cycle > 0) {
+        const double audit = static_cast<double>(job.audit.cells) * cost.cycles * cost.integrated_cycle;
+        text += fmt::format("; the audit's integrator takes some {} more", readable_duration(audit));
+    }
+    return text + "\n";
 }
 
 // On one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,
@@ -212,7 +206,7 @@ std::string long_chaos_price(const job::Job& job) {
         }
     }
     if (cycles <= far * job.steady_state.max_cycles) return "";
-    const double seconds = static_cast<double>(cycles) * microseconds_of_a_cycle(job) * 1e-6;
+    const double seconds = static_cast<double>(cycles) * usual_cycle_time(job);
     return fmt::format(
         "#   chaos    takes up to some {} cycles to be told from a long transient where the rig loses least, "
         "steady_state.max_cycles are {}: cells may stay chaotic_so_far. With max_cycles = {} each of these "

@@ -17,10 +17,13 @@ namespace peterka {
 // The time that [certificate] takes, as a line of check; empty if not requested.
 [[nodiscard]] std::string certificate_price(const job::Job& job);
 
-// The time that [starts] take, as a line of check; empty if there are none.
+// The time that all cells take, foretold from some of them, as a line of check.
+[[nodiscard]] std::string time_price(const job::Job& job);
+
+// The number of [starts], and the time that critical kicks take, as lines of check; empty if there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 
-// The time that the rigs of [uncertainty] take, as a line of check; empty if there are none.
+// The number of rigs drawn for [uncertainty], as a line of check; empty if there are none.
 [[nodiscard]] std::string rigs_price(const job::Job& job);
 
 // The cost of telling chaos from a long transient where max_cycles are too few for that in this rig, as a line

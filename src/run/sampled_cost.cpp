@@ -1,0 +1,245 @@
+#include "run/sampled_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "attractors/along_branch.hpp"
+#include "job/axis.hpp"
+#include "job/branches.hpp"
+#include "parallel/listed_tiles.hpp"
+#include "regime/branch.hpp"
+#include "regime/engine.hpp"
+#include "run/audit_sample.hpp"
+#include "run/known_attractors.hpp"
+#include "run/solve_tiles.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka {
+namespace {
+
+// Of this process, whatever else the machine does [s].
+double processor_time() {
+    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+bool only_integrators(const scene::Scene& scene) {
+    return regime::has_nonlinear_contact(scene.cell(0, 0).oscillator);
+}
+
+// The job whose cells are counted: a law with a closed form has the same labels, and so the same cycles,
+// whichever engine is asked for. Cells are given up where a sample would take minutes.
+job::Job counted_job(job::Job job, bool integrates) {
+    constexpr std::int64_t most_cycles = 10'000;
+    if (!integrates &&
+        (job.solver.engine == job::EngineChoice::cvode || job.solver.engine == job::EngineChoice::arkode))
+        job.solver.engine = job::EngineChoice::automatic;
+    job.steady_state.max_cycles =
+        std::min(job.steady_state.max_cycles, integrates ? job.steady_state.chaos_cycles : most_cycles);
+    job.certificate.cells = 0;
+    std::erase(job.output.fields, job::OptionalField::critical_kick);
+    if (job.kind == job::Kind::curves) job.kind = job::Kind::map;  // its coarse map
+    job.refine.levels = 0;
+    return job;
+}
+
+struct Sample {
+    std::vector<parallel::CellIndex> cells;
+    std::vector<double> cycles;  // of each
+    double seconds = 0;
+    double unseen = 0;  // cycles that cells given up here may take in the job, all together
+};
+
+double sum(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+// One cell at random of each of so many equal stretches.
+Sample solve_sample(const scene::Scene& scene, const regime::AttractorTable& known, std::int64_t size,
+                    std::int64_t max_cycles) {
+    Sample sample;
+    std::vector<parallel::Tile> tiles;
+    for (std::int64_t n = 0; n < size; ++n) {
+        const std::int64_t cell = audited_cell(n, size, scene.job().cells());
+        const parallel::CellIndex index{cell / scene.columns(), cell % scene.columns()};
+        sample.cells.push_back(index);
+        tiles.push_back({n, index.row, index.column, {1, 1}});
+    }
+    sample.cycles.resize(sample.cells.size());
+    const TileWork work{
+        .begin =
+            [](const parallel::Tile& tile) {
+                return std::vector<parallel::CellIndex>{{tile.row, tile.column}};
+            },
+        .go_on =
+            [&](const parallel::Tile& tile, std::span<const attractors::SolvedCell> solved, double) {
+                const cell::CellResult& cell = solved.front().cell;
+                sample.cycles[static_cast<std::size_t>(tile.index)] = cell.cycles;
+                if (cell.regime == cell::Regime::unresolved)
+                    sample.unseen += static_cast<double>(max_cycles - scene.job().steady_state.max_cycles);
+                return std::vector<parallel::CellIndex>();
+            }};
+    parallel::ListedTiles source(std::move(tiles));
+    const double begin = processor_time();
+    solve_tiles(scene, known, work, source);
+    sample.seconds = processor_time() - begin;
+    return sample;
+}
+
+// Time of a cycle by an integrator [s]: the mean over cells of the sample that are chosen with probabilities in
+// proportion to their cycles.
+double time_of_integrated_cycle(const scene::Scene& scene, const Sample& sample, const job::Solver& solver) {
+    constexpr int cells = 12;
+    constexpr int cycles = 8;
+    const double all = sum(sample.cycles);
+    if (!(all > 0)) return 0;
+    const double begin = processor_time();
+    double passed = 0;
+    std::size_t at = 0;
+    for (int n = 0; n < cells; ++n) {
+        while (at + 1 < sample.cycles.size() && passed + sample.cycles[at] <= all * (n + 0.5) / cells) {
+            passed += sample.cycles[at++];
+        }
+        const scene::Cell cell = scene.cell(sample.cells[at].row, sample.cells[at].column);
+        const regime::Engine engine = solver.engine == job::EngineChoice::cvode ? regime::Engine::cvode
+                                      : solver.engine == job::EngineChoice::arkode
+                                          ? regime::Engine::arkode
+                                          : regime::cheaper_integrator(cell.oscillator);
+        auto map = regime::make_cycle_map(cell.oscillator, {.engine = engine, .tolerance = solver.tolerance});
+        scene::State<double> state = cell.start;
+        for (int i = 0; i < cycles; ++i) state = std::visit([&](auto& each) { return each(state).end; }, map);
+    }
+    return (processor_time() - begin) / (cells * cycles);
+}
+
+// Of the mean, over it.
+double relative_error(std::span<const double> values) {
+    const double mean = sum(values) / static_cast<double>(values.size());
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    const auto n = static_cast<double>(values.size());
+    return mean > 0 && n > 1 ? std::sqrt(squares / (n * (n - 1))) / mean : 0;
+}
+
+// A part of a sweep: few neighbouring points.
+job::Job part_of(job::Job sweep, std::int64_t first, std::int64_t points) {
+    const job::Axis whole = sweep.columns;
+    sweep.columns.from = job::axis_value(whole, first);
+    sweep.columns.to = job::axis_value(whole, first + points - 1);
+    sweep.columns.points = points;
+    return sweep;
+}
+
+// Solves parts of a sweep here and there along its axis and on all its branches, and returns the time that each
+// takes a point [s].
+std::vector<double> times_of_parts(
+    const job::Job& job, std::int64_t most_parts, std::int64_t points,
+    const std::function<void(const scene::Scene& part, std::int64_t row)>& solve) {
+    const std::int64_t parts = std::clamp<std::int64_t>(job.cells() / points, 1, most_parts);
+    std::vector<double> seconds;
+    for (std::int64_t n = 0; n < parts; ++n) {
+        const std::int64_t first = n * (job.columns.points - points) / std::max<std::int64_t>(parts - 1, 1);
+        const scene::Scene part(part_of(job, first, points));
+        const double begin = processor_time();
+        solve(part, n % job.row_count());
+        seconds.push_back((processor_time() - begin) / static_cast<double>(points));
+    }
+    return seconds;
+}
+
+// Each point of a branch but the first begins on the motion of the one before it. What is found from many
+// starts or rigs serves all branches of a gap.
+SampledCost cost_of_branches(const job::Job& job) {
+    constexpr std::int64_t most_points = 12;
+    const std::int64_t points = std::min(most_points, job.columns.points);
+    const auto look = [] {};
+    const double begin = processor_time();
+    double cycles = 0;
+    const std::vector<double> branches =
+        times_of_parts(job, 64, points, [&](const auto& part, std::int64_t row) {
+            for (const regime::BranchPoint& point : regime::follow_branch(part, row, look))
+                cycles += point.cell.cycles;
+        });
+    const auto cells = std::ssize(branches) * points;
+    SampledCost cost{.cells = cells,
+                     .cycles = cycles / static_cast<double>(cells),
+                     .seconds = sum(branches) / static_cast<double>(branches.size()),
+                     .relative_error = relative_error(branches)};
+    if (job.starts.count > 0 || job.uncertainty.rigs > 0) {
+        const std::int64_t of_gap = job::branches_of_a_gap(job.sweep);
+        const std::vector<double> many =
+            times_of_parts(job, 32, std::min<std::int64_t>(points, 4), [&](const auto& part, std::int64_t row) {
+                if (job.starts.count > 0) {
+                    static_cast<void>(attractors::find_along_branch(part, row - row % of_gap, look));
+                } else {
+                    static_cast<void>(attractors::find_outcomes_along_branch(part, row - row % of_gap, look));
+                }
+            });
+        const double each = sum(many) / static_cast<double>(many.size()) / static_cast<double>(of_gap);
+        const double error = std::hypot(cost.seconds * cost.relative_error, each * relative_error(many));
+        cost.seconds += each;
+        cost.relative_error = error / cost.seconds;
+    }
+    cost.spent = processor_time() - begin;
+    return cost;
+}
+
+}  // namespace
+
+// In the batch, on a rigid or a yielding stop; in the batch with the cubic spring kept, whose many kicks depend
+// on the reach; one by one; by integrators, 130 to 320 on the stops tried.
+double usual_cycle_time(const job::Job& job) {
+    constexpr double us = 1e-6;
+    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
+    const job::EngineChoice engine = job.solver.engine;
+    const bool integrates = engine == job::EngineChoice::cvode || engine == job::EngineChoice::arkode ||
+                            regime::has_nonlinear_contact(rig);
+    if (integrates) return 200 * us;
+    if (!regime::may_use_batch(rig, job.solver)) return 1.3 * us;
+    const bool keeps_cubic =
+        rig.cubic != 0 && (engine == job::EngineChoice::split || job.solver.omit_tolerance == 0);
+    return (keeps_cubic ? 2.6 : 0.33) * us;
+}
+
+SampledCost sample_cost(const job::Job& job) {
+    const double begin = processor_time();
+    const bool integrates = only_integrators(scene::Scene(job));
+    const job::Job counted = counted_job(job, integrates);
+    const scene::Scene scene(counted);
+    if (job.kind == job::Kind::sweep) return cost_of_branches(counted);
+
+    // As many as take so long, judged by a few, which are all where each cycle is integrated.
+    // When they run out, vectors are filled less: with 4,096 cells that took a third of the time, or more.
+    const std::int64_t few = std::min<std::int64_t>(integrates ? 24 : 48, job.cells());
+    constexpr std::int64_t most = 16'384;
+    constexpr double budget = 0.4;  // [s]
+    const regime::AttractorTable known = find_known_attractors(scene);
+    const std::int64_t max_cycles = job.steady_state.max_cycles;
+    Sample sample = solve_sample(scene, known, few, max_cycles);
+    const double each = std::max(sum(sample.cycles) / static_cast<double>(few), 1.0);
+    const std::int64_t size =
+        integrates
+            ? few
+            : std::min({most, job.cells(),
+                        std::max(few, static_cast<std::int64_t>(budget / (each * usual_cycle_time(counted))))});
+    if (size > few) sample = solve_sample(scene, known, size, max_cycles);
+
+    SampledCost cost{.cells = size,
+                     .cycles = sum(sample.cycles) / static_cast<double>(size),
+                     .seconds = sample.seconds / static_cast<double>(size),
+                     .relative_error = relative_error(sample.cycles),
+                     .unseen_share = sample.unseen / std::max(sum(sample.cycles), 1.0)};
+    const bool integrator_chosen =
+        job.solver.engine == job::EngineChoice::cvode || job.solver.engine == job::EngineChoice::arkode;
+    if (job.audit.cells > 0 || (integrator_chosen && !integrates))
+        cost.integrated_cycle = time_of_integrated_cycle(scene, sample, job.solver);
+    if (integrator_chosen && !integrates) cost.seconds = cost.cycles * cost.integrated_cycle;
+    cost.spent = processor_time() - begin;
+    return cost;
+}
+
+}  // namespace peterka

@@ -1,0 +1,98 @@
+"""What check foretells of a job's time: cycles of a sample of cells against those that the run counts in all of them."""
+
+import re
+
+import h5py
+import jobs
+import launch
+import many_starts
+import numpy as np
+import pytest
+import uncertain_rigs
+
+STIFFNESS = jobs.axis("frequency_ratio", 0.5, 4.5, 130) + jobs.axis("contact.stiffness_n_per_m", 2e6, 2e7, 130)
+CASES = {
+    "spring and dashpot": jobs.small_map(160, 160),
+    "rigid": jobs.with_rigid_stop(jobs.small_map(160, 160)),
+    "cubic springs kept": jobs.small_map(120, 120) + "[solver]\nomit_tolerance = 0.0\n",
+    "one by one": jobs.with_rigid_stop(jobs.small_map(120, 120)) + "[solver]\nomit_tolerance = 0.0\n",
+    "rigs of their own": jobs.RIG.format(kind="map", title="stiffness") + STIFFNESS + "[operating_point]\ngap_ratio = 0.5\n",
+    "starts": many_starts.small_map(count=32, columns=40, rows=40),
+    "basin": jobs.small_basin(points=160),
+    "sweep": jobs.small_sweep(points=401),
+}
+WORDS = re.compile(r"#   time     (?P<cycles>[\d.e+]+) cycles a (?:cell|point): (?:some|at least) (?P<time>.+?) of one core"
+                   r".*?(?:, (?P<least>.+?) to (?P<most>.+?), by|; all were tried)")
+
+
+def seconds(words):
+    """Of a duration as it is printed."""
+    units = {"us": 1e-6, "ms": 1e-3, "s": 1, "min": 60, "h": 3600, "days": 86400}
+    parts = words.split()
+    return sum(float(number) * units[unit] for number, unit in zip(parts[::2], parts[1::2], strict=True))
+
+
+def told(folder, *sets):
+    """The match of the line that tells the time."""
+    checked = launch.run("check", "job.toml", *(word for one in sets for word in ("--set", one)), cwd=folder)
+    assert checked.returncode == 0, checked.stderr
+    found = WORDS.search(checked.stdout)
+    assert found, checked.stdout
+    return found
+
+
+def counted(folder):
+    """Mean number of cycles of a cell."""
+    finished = launch.run("run", "job.toml", "--quiet", "--fresh", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(folder / "job.h5") as file:
+        return np.mean(file["cycles"][()])
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_cycles_of_a_sample_are_those_of_the_job(tmp_path, case):
+    jobs.write(tmp_path, CASES[case])
+    foretold = told(tmp_path)
+    assert foretold["least"], "a part of the cells was to be solved"
+    assert 0.7 < float(foretold["cycles"]) / counted(tmp_path) < 1.5
+    assert seconds(foretold["least"]) < seconds(foretold["time"]) < seconds(foretold["most"])
+
+
+def test_rigs_that_are_drawn_are_priced(tmp_path):
+    uncertain_rigs.write(tmp_path, uncertain_rigs.small_map(columns=48, rows=48))
+    assert 0.7 < float(told(tmp_path)["cycles"]) / counted(tmp_path) < 1.5
+
+
+def test_all_cells_of_a_small_map_are_counted(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(12, 10))
+    foretold = told(tmp_path)
+    assert "all were tried" in foretold[0]
+    assert float(foretold["cycles"]) == pytest.approx(counted(tmp_path), rel=5e-3)
+
+
+def test_a_job_twice_as_large_takes_twice_as_long_and_an_integrator_a_hundred_times(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(200, 100))
+    once, twice, integrated = (
+        seconds(told(tmp_path, *sets)["time"]) for sets in
+        ([], ["axes.gap_ratio.points=800"], ['solver.engine="cvode"']))
+    assert 3 < twice / once < 20  # eight times
+    assert integrated > 100 * once
+
+
+def test_what_was_given_up_early_is_told(tmp_path):
+    """The law that has no closed form, in chaos that the sample follows for chaos_cycles at most."""
+    jobs.write(tmp_path, jobs.small_map(12, 12).replace(jobs.KELVIN_VOIGT, 'law = "hunt_crossley"\nstiffness_n_per_m_pow_n = 3e8\n'
+                                                        'exponent = 1.5\ndissipation_s_per_m = 5.0\n'))
+    foretold = told(tmp_path, "steady_state.chaos_cycles=20", "steady_state.max_cycles=100000")
+    assert "at least" in foretold[0]
+    assert seconds(foretold["most"]) > 10 * seconds(foretold["time"])
+
+
+def test_the_audit_comes_on_top(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(60, 60))
+    def of_audit(cells):
+        checked = launch.run("check", "job.toml", "--set", f"audit.cells={cells}", cwd=tmp_path)
+        found = re.search(r"the audit's integrator takes some (.+) more", checked.stdout)
+        return seconds(found[1]) if found else 0
+    assert of_audit(0) == 0
+    assert of_audit(800) > 20 * of_audit(10) > 0
