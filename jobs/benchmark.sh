@@ -2,7 +2,8 @@
 # Measures what the program costs, prints it as tables, and writes them with their pictures beside the results page:
 # time per cycle of every engine with its error, time per cell of a map on 1, 2 and 8 ranks, the rate of dealing, memory,
 # the scaling to 100,000 ranks that follows, and how far basin shares are off against the time for them (a page of its own,
-# starts.md), and how many points of curves a second gives, with which error (curves.md). Takes about half an hour on 2 cores; leave them alone meanwhile.
+# starts.md), how many points of curves a second gives, with which error (curves.md), and what rigid stops and rigs of their own
+# cost (laws.md). Takes about half an hour on 2 cores; leave them alone meanwhile.
 #   jobs/benchmark.sh [--quick | --huge] [RESULTS_FOLDER [PAGE_FOLDER]]     default: results, postprocess/examples
 #   --quick: smaller maps and fewer rounds; --huge: a map of 67 million cells, too
 #   PETERKA_BUILD=... jobs/benchmark.sh                                     with another build folder than build
@@ -23,3 +24,4 @@ cmake --build "$build" --target peterka benchmark
 /usr/bin/python3 tests/benchmark/measure.py "${options[@]}" --build "$build" --results "$results" --page "$page/benchmark.md"
 /usr/bin/python3 tests/benchmark/starts.py ${quick:+--quick} --build "$build" --results "$results" --page "$page/starts.md"
 /usr/bin/python3 tests/benchmark/curves.py ${quick:+--quick} --build "$build" --results "$results" --page "$page/curves.md"
+/usr/bin/python3 tests/benchmark/laws.py ${quick:+--quick} --build "$build" --results "$results" --page "$page/laws.md"
