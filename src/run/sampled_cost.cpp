@@ -44,7 +44,18 @@ job::Job counted_job(job::Job job, bool integrates) {
     std::erase(job.output.fields, job::OptionalField::critical_kick);
     if (job.kind == job::Kind::curves) job.kind = job::Kind::map;  // its coarse map
     job.refine.levels = 0;
+    const std::int64_t most_tries = integrates ? 8 : 128;
+    job.starts.count = std::min(job.starts.count, most_tries);
+    job.uncertainty.rigs = std::min(job.uncertainty.rigs, most_tries);
     return job;
+}
+
+// Of a job over the counted one: a start and a drawn rig take about the same.
+double tries_left_out(const job::Job& job, const job::Job& counted) {
+    const auto tries = [](const job::Job& of) {
+        return static_cast<double>(1 + of.starts.count + of.uncertainty.rigs);
+    };
+    return tries(job) / tries(counted);
 }
 
 struct Sample {
@@ -58,16 +69,15 @@ double sum(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// One cell at random of each of so many equal stretches.
-Sample solve_sample(const scene::Scene& scene, const regime::AttractorTable& known, std::int64_t size,
-                    std::int64_t max_cycles) {
-    Sample sample;
+// Adds cells `first`, ..., end - 1 of a sample: one at random of each of `size` equal stretches.
+void solve_sample(Sample& sample, const scene::Scene& scene, const regime::AttractorTable& known,
+                  std::int64_t first, std::int64_t end, std::int64_t size, std::int64_t max_cycles) {
     std::vector<parallel::Tile> tiles;
-    for (std::int64_t n = 0; n < size; ++n) {
+    for (std::int64_t n = first; n < end; ++n) {
         const std::int64_t cell = audited_cell(n, size, scene.job().cells());
         const parallel::CellIndex index{cell / scene.columns(), cell % scene.columns()};
         sample.cells.push_back(index);
-        tiles.push_back({n, index.row, index.column, {1, 1}});
+        tiles.push_back({std::ssize(sample.cells) - 1, index.row, index.column, {1, 1}});
     }
     sample.cycles.resize(sample.cells.size());
     const TileWork work{
@@ -86,7 +96,24 @@ Sample solve_sample(const scene::Scene& scene, const regime::AttractorTable& kno
     parallel::ListedTiles source(std::move(tiles));
     const double begin = processor_time();
     solve_tiles(scene, known, work, source);
-    sample.seconds = processor_time() - begin;
+    sample.seconds += processor_time() - begin;
+}
+
+Sample solve_sample(const scene::Scene& scene, const regime::AttractorTable& known, std::int64_t size,
+                    std::int64_t max_cycles) {
+    Sample sample;
+    solve_sample(sample, scene, known, 0, size, size, max_cycles);
+    return sample;
+}
+
+// Up to 24 cells one after the other, until they have taken so long [s].
+Sample solve_sample_for(double seconds, const scene::Scene& scene, const regime::AttractorTable& known,
+                        std::int64_t size, std::int64_t max_cycles) {
+    Sample sample;
+    for (std::int64_t n = 0; n < size && sample.seconds < seconds; ++n) {
+        const std::int64_t at = n * (size % 7 == 0 ? 5 : 7) % size;  // spread over the plane at any time
+        solve_sample(sample, scene, known, at, at + 1, size, max_cycles);
+    }
     return sample;
 }
 
@@ -153,7 +180,7 @@ std::vector<double> times_of_parts(
 
 // Each point of a branch but the first begins on the motion of the one before it. What is found from many
 // starts or rigs serves all branches of a gap.
-SampledCost cost_of_branches(const job::Job& job) {
+SampledCost cost_of_branches(const job::Job& job, double tries) {
     constexpr std::int64_t most_points = 12;
     const std::int64_t points = std::min(most_points, job.columns.points);
     const auto look = [] {};
@@ -179,7 +206,7 @@ SampledCost cost_of_branches(const job::Job& job) {
                     static_cast<void>(attractors::find_outcomes_along_branch(part, row - row % of_gap, look));
                 }
             });
-        const double each = sum(many) / static_cast<double>(many.size()) / static_cast<double>(of_gap);
+        const double each = tries * sum(many) / static_cast<double>(many.size()) / static_cast<double>(of_gap);
         const double error = std::hypot(cost.seconds * cost.relative_error, each * relative_error(many));
         cost.seconds += each;
         cost.relative_error = error / cost.seconds;
@@ -210,27 +237,32 @@ SampledCost sample_cost(const job::Job& job) {
     const bool integrates = only_integrators(scene::Scene(job));
     const job::Job counted = counted_job(job, integrates);
     const scene::Scene scene(counted);
-    if (job.kind == job::Kind::sweep) return cost_of_branches(counted);
+    if (job.kind == job::Kind::sweep) return cost_of_branches(counted, tries_left_out(job, counted));
 
-    // As many as take so long, judged by a few, which are all where each cycle is integrated.
-    // When they run out, vectors are filled less: with 4,096 cells that took a third of the time, or more.
-    const std::int64_t few = std::min<std::int64_t>(integrates ? 24 : 48, job.cells());
-    constexpr std::int64_t most = 16'384;
-    constexpr double budget = 0.4;  // [s]
     const regime::AttractorTable known = find_known_attractors(scene);
     const std::int64_t max_cycles = job.steady_state.max_cycles;
-    Sample sample = solve_sample(scene, known, few, max_cycles);
-    const double each = std::max(sum(sample.cycles) / static_cast<double>(few), 1.0);
-    const std::int64_t size =
-        integrates
-            ? few
-            : std::min({most, job.cells(),
-                        std::max(few, static_cast<std::int64_t>(budget / (each * usual_cycle_time(counted))))});
-    if (size > few) sample = solve_sample(scene, known, size, max_cycles);
+    Sample sample;
+    if (integrates) {
+        sample = solve_sample_for(1.0, scene, known, std::min<std::int64_t>(24, job.cells()), max_cycles);
+    } else {
+        // As many as take so long, judged by a few. When they run out, vectors are filled less: with 4,096
+        // cells that takes a third of the time, or more.
+        constexpr std::int64_t most = 16'384;
+        constexpr double budget = 0.4;  // [s]
+        const std::int64_t few = std::min<std::int64_t>(48, job.cells());
+        sample = solve_sample(scene, known, few, max_cycles);
+        const double each =
+            std::max({sum(sample.cycles) * usual_cycle_time(counted), sample.seconds / 4, 1e-6}) /
+            static_cast<double>(few);
+        const std::int64_t size = std::min({most, job.cells(), static_cast<std::int64_t>(budget / each)});
+        if (size > few) sample = solve_sample(scene, known, size, max_cycles);
+    }
+    const double tries = tries_left_out(job, counted);
+    const auto size = std::ssize(sample.cells);
 
     SampledCost cost{.cells = size,
-                     .cycles = sum(sample.cycles) / static_cast<double>(size),
-                     .seconds = sample.seconds / static_cast<double>(size),
+                     .cycles = tries * sum(sample.cycles) / static_cast<double>(size),
+                     .seconds = tries * sample.seconds / static_cast<double>(size),
                      .relative_error = relative_error(sample.cycles),
                      .unseen_share = sample.unseen / std::max(sum(sample.cycles), 1.0)};
     const bool integrator_chosen =

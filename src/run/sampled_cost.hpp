@@ -17,8 +17,9 @@ struct SampledCost {
     double integrated_cycle = 0;  // of an engine of the audit [s of one core]; 0 without audit
 };
 
-// For a map, basin, sweep or the coarse map of curves; without proofs, audit and critical kicks. The cells are
-// the same whenever the job is. Takes half a second, or, where each cycle is integrated, a few.
+// For a map, basin, sweep or the coarse map of curves; without proofs, audit and critical kicks. Of many starts
+// or drawn rigs a part is solved, since all cost about the same. Takes half a second, or, where each cycle is
+// integrated, a second or two.
 [[nodiscard]] SampledCost sample_cost(const job::Job& job);
 
 // Time of a forcing cycle of such a job with everything that it entails, on one core with AVX-512, as measured
