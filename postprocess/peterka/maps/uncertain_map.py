@@ -22,6 +22,7 @@ from ..plotting import axes, style, units
 from ..plotting.classes import CLASSES, INDEX, classify
 from ..plotting.coordinates import either
 from ..plotting.fills import Fill, fill, paler
+from ..plotting.limits import WEIGHTS
 from ..plotting.picture import picture
 from ..sampling import draws_needed
 from . import field_map
@@ -183,14 +184,16 @@ def _is_computed(regime: Integers, *_: object) -> Mask:
 def _scale(file, name, largest):
     if name.startswith("speed"):
         factor, unit = units.with_prefix(largest, "m/s")
-        return Scale(f"impact speed of all but {ASSURED} % of the rigs ({unit})", factor, lambda speed: units.amount(speed, "m/s"))
+        return Scale(f"impact speed of all but {ASSURED} % of the rigs ({unit})", factor, lambda speed: units.amount(speed, "m/s"),
+                     in_si=("m/s", 1.0))
     label = f"peak force of all but {ASSURED} % of the rigs, $F/(m\\,g)$"
     if not file.newtons:
-        return Scale(label, 1, units.number)
+        return Scale(label, 1, units.number, ratio=WEIGHTS)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     alone = style.current().units == "si"
     return Scale(label, 1, lambda force: either(file, units.amount(force * file.newtons, "N"), units.number(force)),
-                 (f"peak force of all but {ASSURED} % of the rigs ({unit})" if alone else f"peak force ({unit})", file.newtons * factor))
+                 (f"peak force of all but {ASSURED} % of the rigs ({unit})" if alone else f"peak force ({unit})", file.newtons * factor),
+                 ("N", file.newtons), WEIGHTS)
 
 
 def _with_levels(reduced: Reduced, likely: Reduced) -> tuple[Reduced, list[str | Fill]]:
