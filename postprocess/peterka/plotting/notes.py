@@ -12,14 +12,17 @@ from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
 
+from ..arrays import Reals
 from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
 NEAR = (5, 9, 14, 20)  # pt: of a label from its point; with a line beyond LINED
 LINED = 9
+BESIDE = (3, *NEAR, 28, 38, 50, 65)  # pt: of the label of several marks that share one
 ROUND = [(across, up) for across in (1, -1, 0) for up in (0, 1, -1) if (across, up) != (0, 0)]
 AIR = 2  # pixels
+APART, LETTER_APART = 5, 1.2  # pt: at least, between a line's name or the letters of marks and any other text or mark
 FRAME = 0.5  # of the font size
 PLACES = np.linspace(0.03, 0.97, 5)  # in the axes, tried if nothing fits beside the point
 MORE_PLACES = np.linspace(0.02, 0.98, 21)  # for small text
@@ -70,6 +73,52 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     return False
 
 
+def write_at_group(ax: Axes, points: Reals, text: str, size: float, lines: Reals) -> bool:
+    """Writes the label of marks that share one, (n, 2) [pixels], after all marks are drawn: near to one of these, on the side farthest
+    from `lines`, (m, 2) [pixels], nearer to them than to other marks, or farther away with a line to one. Returns whether it fits."""
+    pixels = ax.get_figure().dpi / 72
+    marks = seen.boxes(ax)
+    taken, others = _taken(ax, marks), (marks[:, :2] + marks[:, 2:]) / 2
+    others = others[np.min(np.linalg.norm(others[:, None] - points, axis=2), axis=1, initial=np.inf) > AIR]
+    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, weight="bold", ha="left", va="bottom", path_effects=outline(1.6),
+                   zorder=7)
+    for letters in (size, 5):
+        note.set_fontsize(letters)
+        box = np.array([_box(note).width, _box(note).height])
+        for away in BESIDE:
+            free = []
+            for own, (across, up) in product(points, ROUND):
+                place = own + pixels * away * np.array([across, up]) / np.hypot(across, up)
+                low = place - box * (1 - np.array([across, up])) / 2
+                moved = Bbox([low, low + box])
+                if _fits(moved.padded(pixels * LETTER_APART), ax, taken) and (away > LINED or _is_nearest(moved, points, others)):
+                    free.append((float(np.min(np.linalg.norm(lines - (low + box / 2), axis=1), initial=np.inf)), own, moved))
+            if free:
+                _, own, moved = max(free, key=lambda each: each[0])
+                note.set_position(ax.transAxes.inverted().transform(moved.min))
+                if away > LINED:
+                    _draw_line(ax, own, moved)
+                return True
+    note.remove()
+    return False
+
+
+def write_on(ax: Axes, way: Reals, text: str, size: float, colour: str) -> bool:
+    """Writes the name of a line, (n, 2) [pixels], on it, as near to its middle as it meets no other text and no mark. Returns whether
+    it fits."""
+    pixels, taken = ax.get_figure().dpi / 72, _taken(ax, seen.boxes(ax))
+    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, ha="left", va="bottom", color=colour, path_effects=outline(1.6))
+    box = np.array([_box(note).width, _box(note).height])
+    inside = way[np.all((way > ax.bbox.min) & (way < ax.bbox.max), axis=1)]
+    for at in sorted(range(len(inside)), key=lambda at: abs(at - len(inside) // 2)):
+        low = inside[at] - box / 2
+        if _fits(Bbox([low, low + box]).padded(pixels * APART), ax, taken):
+            note.set_position(ax.transAxes.inverted().transform(low))
+            return True
+    note.remove()
+    return False
+
+
 def write_near_box(ax: Axes, box: Bbox, text: str) -> bool:
     """Writes the label of a box of the picture [pixels], after the layout is computed: beside it, over no other text, and over
     no other mark where there is room; smaller, or up to 30 pt away with a line to it, where it has to. Returns whether it fits."""
@@ -115,9 +164,9 @@ def _fits(box, ax, taken):
 
 
 def _is_nearest(box, own, others):
-    """Whether a box is nearer to its own point than to any other."""
-    away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (own[None], others)]
-    return away[0][0] < min(away[1], default=np.inf)
+    """Whether a box is nearer to its own point, or to one of them, than to any other."""
+    away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (np.atleast_2d(own), others)]
+    return min(away[0]) < min(away[1], default=np.inf)
 
 
 def _draw_line(ax, own, box):
