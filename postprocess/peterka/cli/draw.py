@@ -102,7 +102,10 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--export", metavar="csv,vtk,mat", type=read_formats, default=[],
                         help="besides, the cells of maps and basins for other programs, as export.py writes them")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
-                        help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
+                        help="points to draw over a sweep or map, one a line below the names of the columns: frequency_hz or frequency_ratio, "
+                             "force_n or force_ratio, displacement_mm or displacement_ratio, gap_mm or gap_ratio, and optionally standard errors "
+                             "(force_error_n, ...), series, label. Two lines of an example: frequency_hz,gap_mm,force_n,label / "
+                             "9.0,1.0,152.5,first run")
     parser.add_argument("--probability", metavar="MOTION", type=read_motion, default=IMPACTS,
                         help="of drawn rigs: a p/q, 'no impact', chaotic, or impacts, of any kind; default: impacts")
     parser.add_argument("--curves", metavar="CURVES.h5", type=Path,

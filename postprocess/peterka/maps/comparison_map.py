@@ -20,7 +20,7 @@ LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
 FORCE_COLOURS = "RdBu_r"
 SAME, ORBIT, REGIME, MISSING = range(4)
 COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
-NAMES_OF_KINDS = ["same, no lasting force", "same regime, other z", "other regime", "not in both files"]
+NAMES_OF_KINDS = ["same label; no force compared: no impact, chaos", "same regime, other z", "other regime", "not in both files"]
 
 
 @style.using()

@@ -111,13 +111,13 @@ def hatch_background(ax: Axes) -> None:
 
 
 def percent(share: float) -> str:
-    """A share 0..1 for a legend; neither 0 % nor 100 % unless it is exactly that."""
+    """A share 0..1 for a legend, rounded as in the program's summary; where that is neither 0 % nor 100 %, but would read so, it is
+    told as below or above the rounding."""
     value = 100 * share
-    if 0 < value < 0.1:
-        return "< 0.1 %"
-    if 99.9 < value < 100:
-        return "> 99.9 %"
-    return f"{value:.1f} %"
+    text = f"{value:.1f} %"
+    if value > 0 and text == "0.0 %":
+        return "< 0.05 %"
+    return "> 99.95 %" if value < 100 and text == "100.0 %" else text
 
 
 def operating_point(file: AtPoint) -> str:

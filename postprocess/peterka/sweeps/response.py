@@ -39,7 +39,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         return None
     second = _second_scale(file)
     forces = np.concatenate([branch.force for branch in file.branches])
-    limits = requested(file, forces, file.newtons and ("N", file.newtons), WEIGHTS)
+    limits = requested(file, forces, ("N", file.newtons) if file.newtons else None, WEIGHTS)
     handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
                *sweep_panels.measured_handles(measured, "force")]
     panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)

@@ -38,7 +38,8 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     in_si = (("N", file.newtons) if file.newtons else None) if is_force else ("m/s", 1.0)
     limits = requested(file, np.concatenate([band.ravel() for band in bands.values()]), in_si, WEIGHTS if is_force else "")
     label = r"peak force $F/(m\,g)$" if is_force else "impact speed (m/s)"
-    panels = sweep_panels.panels(file, handles, label, second, ax, log=style.current().log, told=draws.in_words)
+    panels = sweep_panels.panels(file, handles, label, second, ax, log=style.current().log,
+                                 told=f"{draws.in_words}; {_begin_in_words(file)}")
     for gap, panel in panels.items():
         _draw_band(panel, file, bands[gap])
         for branch in file.at_gap(gap) if is_force else ():
@@ -66,7 +67,15 @@ def inside_in_words(file: SweepFile, points: Iterable[Point]) -> str:
     """How many of the points with a force lie in the band of their gap, between the sweep's points by interpolation."""
     found = [_holds(file, file.at_gap(point.gap if point.gap is not None else file.gaps[0])[0], point)
              for point in points if point.force is not None and lies_between(file.values, point.frequency)]
-    return f"{sum(found)} of {len(found)} measured forces lie where nine of ten drawn rigs have theirs (5 to 95 %)"
+    return (f"{sum(found)} of {len(found)} measured forces lie where nine of ten drawn rigs have theirs (5 to 95 %); "
+            f"{_begin_in_words(file)}: where several motions exist, the rigs may be on others than those of this table")
+
+
+def _begin_in_words(file):
+    """Where drawn rigs begin, and where branches do."""
+    own = "from a start of their own" if file.slots else "from [start]"
+    apart = any(branch.direction != "independent" for branch in file.branches)
+    return f"drawn rigs begin {own}" + ", branches with the motion at the point before" * apart
 
 
 def _holds(file, branch, point):
