@@ -52,7 +52,7 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
     texts = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").legend_texts()
     assert texts[:4] == [
         "no impact (25.0 %)",
-        r"$z$ = 1/1, $F/(m\,g)$ = 41.2 (25.0 %)",
+        r"$z$ = 1/1, $F/(m\,g)$ = 41.25 (25.0 %)",
         r"$z$ = 1/1, $F/(m\,g)$ = 20 (12.5 %)",
         r"$z$ = 1/2, $F/(m\,g)$ = 60 (12.5 %)",
     ]
@@ -66,7 +66,7 @@ def test_two_attractors_of_a_class_never_read_the_same(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", [[orbit(1, 1)] * 4] * 3 + [[orbit(1, 2)] * 4], table,
                                  np.arange(4).repeat(4).reshape(4, 4))) as file:
         texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
-    assert [text.split("= ")[2].split(" (")[0] for text in texts[:4]] == ["41.251", "41.253", "41.2", "41.2"]
+    assert [text.split("= ")[2].split(" (")[0] for text in texts[:4]] == ["41.251", "41.253", "41.25", "41.25"]
 
 
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):

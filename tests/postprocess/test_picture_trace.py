@@ -145,3 +145,13 @@ def test_the_sketch_of_the_rig_names_its_coordinates():
     boxes = [text.get_window_extent() for text in texts]
     assert all(figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1 and box.y1 <= figure.bbox.y1 for box in boxes)
     assert not any(one.overlaps(other) for n, one in enumerate(boxes) for other in boxes[:n])
+
+
+def test_spectra_in_a_narrow_picture_have_ticks_to_be_read(tmp_path):
+    with open_file(write_trace(tmp_path / "a.h5")) as file:
+        for width in (84, None):
+            axes = pictures_of(file)["spectrum"](file, width=width)
+            figure_of(axes).draw_without_rendering()
+            for ax in axes:
+                low, high = ax.get_xlim()
+                assert sum(low <= tick <= high for tick in ax.get_xticks()) >= 3

@@ -53,7 +53,7 @@ def _background(counts):
     present = [(n, axes.legend_patch(CLASSES[n].label, paler(CLASSES[n].colour, PALE), n == INDEX["not computed yet"]))
                for n in np.flatnonzero(counts)]
     orbits = [key for n, key in present if CLASSES[n].orbit or n == INDEX["other p/q"]]
-    return [(orbits, 5, "$z = p/q$ of the map"), ([key for _, key in present if key not in orbits], 2, None)]
+    return [(orbits, 4, "$z = p/q$ of the map"), ([key for _, key in present if key not in orbits], 2, None)]
 
 
 def compared_errors(force_error: Reals) -> Reals:

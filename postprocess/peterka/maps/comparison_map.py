@@ -52,7 +52,7 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
 def _words(first, second, plane):
     """Below A's title: B's title, if different, the files, and the differing keys."""
     title = [second.title] if second.title != first.title else []
-    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second),
+    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second, has_keys=False),
             *filter(None, [plane.in_words])]
 
 
