@@ -14,6 +14,7 @@ from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.patheffects import AbstractPathEffect
 from matplotlib.ticker import NullFormatter, NullLocator
 
+from ..arrays import Mask
 from ..files.coordinates import TWINS, unit_of
 from . import seen, style
 from .coordinates import IN_MILLIMETRES, label
@@ -175,7 +176,7 @@ def name_areas(ax: Axes, reduced: Image, names: Mapping[int, tuple[str, str | Fi
     marked = _marked(ax, reduced)
     for number, (text, colour) in names.items():
         colour = fill(colour).colour
-        window = _largest_window(reduced.image == number, marked, LETTER_SHARE * len(text))
+        window = largest_window(reduced.image == number, marked, LETTER_SHARE * len(text))
         if window is not None:
             (left, right), (low, high) = window
             xs, ys = reduced.column_edges[[left, right]], reduced.row_edges[[low, high]]
@@ -201,7 +202,7 @@ def _marked(ax, reduced):
     return cells
 
 
-def _largest_window(mask, marked, smallest, purity=0.97):
+def largest_window(mask: Mask, marked: Mask, smallest: float, purity: float = 0.97) -> tuple[tuple[int, int], tuple[int, int]] | None:
     """The largest window, with the proportions of the whole, in which the share `purity` is True and no cell is `marked`.
 
     Returns its edges ((left, right), (low, high)) in cells; None if it is below `smallest` of the whole's sides."""

@@ -123,10 +123,10 @@ def write_on(ax: Axes, way: Reals, text: str, size: float, colour: str) -> bool:
     return False
 
 
-def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 6.5, 5)) -> bool:
+def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 6.5, 5), nearest: float = 0) -> bool:
     """Writes the label of a box of the picture [pixels], after the layout is computed: beside it, over no other text, and over
-    no other mark where there is room; smaller, or up to 65 pt away with a line to it, which crosses none of these, where it has to. Returns
-    whether it fits."""
+    no other mark where there is room; smaller, or up to 65 pt away with a line to it, which crosses none of these, where it has to.
+    `nearest`: not nearer than so many pt. Returns whether it fits."""
     pixels = ax.get_figure().dpi / 72
     texts, lines = _taken(ax, [box.extents]), _lines_to_marks(ax)
     note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(2.4), zorder=7)
@@ -135,7 +135,7 @@ def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 
         for letters in sizes:
             note.set_fontsize(letters)
             size = _box(note)
-            for away in BESIDE:
+            for away in (each for each in BESIDE if each >= nearest):
                 for moved in _around(box, size.width, size.height, pixels * away, ax.bbox):
                     own = np.clip(moved.min + [size.width / 2, size.height / 2], box.min, box.max)
                     line = np.linspace(own, np.clip(own, moved.min, moved.max), STEPS)[STEPS * (away <= LINED_BOX):]
