@@ -75,7 +75,7 @@ def test_the_picture_tells_each_kind_of_difference(pair, tmp_path):
                        (3, 1): kinds.COLOURS[kinds.SAME]}
     redness = [to_rgb(colour)[0] - to_rgb(colour)[2] for colour in forces]  # the same, 5 % more, twice as much
     assert abs(redness[0]) < 0.02 and redness[0] < redness[1] < redness[2]
-    assert drawn.legend_texts() == ["same, no lasting force (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
+    assert drawn.legend_texts() == ["same label; no force compared: no impact, chaos (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
                                     "not in both files (6.2 %)"]
 
 
@@ -103,12 +103,12 @@ def test_keys_that_differ_are_told_and_drawn(pair, tmp_path, run_compare):
     for name, damping in (("a.h5", 1200.0), ("b.h5", 900.0)):
         with SealedFile(tmp_path / name, "r+") as file:
             file.attrs["job"] = f'title = "{name}"\n[hammer]\nmass_kg = 0.298\n[contact]\ndamping_ns_per_m = {damping}\n'
-    line = "contact.damping_ns_per_m: 1200.0 in A, 900.0 in B"
+    line = "stop damping (N s/m), contact.damping_ns_per_m: 1200.0 in A, 900.0 in B"
     assert f"\n{line}\n" in run_compare("a.h5", "b.h5")[1]
     with PeterkaFile(pair[0]) as a, PeterkaFile(pair[1]) as b:
         assert comparison.differing_keys(a, b) == [line] and comparison.differing_keys(a, a) == []
         title = comparison_map.draw(a, b, comparison.compare(a, b))._suptitle.get_text()
-    assert title == f"Sample\nA: a, B: b\n{line}"
+    assert title == "Sample\nA: a, B: b\nstop damping (N s/m): 1200.0 in A, 900.0 in B"
 
 
 def test_a_coarser_grid_is_compared_where_its_points_are_the_others(tmp_path, run_compare):

@@ -10,7 +10,7 @@ from picture_samples import ALL_CLASSES, write_basin, write_map
 from scipy.io import loadmat
 from sealing import SealedFile
 from starts_samples import add_starts
-from sweep_samples import write_sweep
+from sweep_samples import FREQUENCY, GAPS, POINTS, WEIGHT, force_of, write_sweep
 
 NEWTONS, HERTZ, MILLIMETRES = 0.298 * 9.80665, 4.5, 0.89
 WORDS = {0: "no_impact", 1: "periodic", 2: "chaotic", 3: "sustained_contact", 4: "unresolved", 5: "failed", -128: "not_computed"}
@@ -150,8 +150,8 @@ def test_what_is_no_number_of_each_cell_is_told(tmp_path, run_program, draw):
 
 
 def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):
-    code, _, err = run_program("export", write_sweep(tmp_path / "s.h5"), sample)
-    assert code == 2 and "is a sweep; the cells of maps, basins and curves are exported" in err and err.count("\n") == 1
+    code, _, err = run_program("export", write_sweep(tmp_path / "s.h5"), sample, "--as", "csv,vtk")
+    assert code == 2 and "is a sweep, whose points are exported as csv alone; vtk takes the cells" in err and err.count("\n") == 1
     assert (tmp_path / "a.csv").exists()  # the other formats are written
     assert run_program("export", sample, "--as", "xls")[0] == 2
     (tmp_path / "file").write_text("")
@@ -197,3 +197,26 @@ def test_two_at_once_write_two_files(tmp_path):
         second.write("second")
         assert len(list(tmp_path.iterdir())) == 2
     assert [path.name for path in tmp_path.iterdir()] == ["a"] and (tmp_path / "a").read_text() == "first"
+
+
+@pytest.mark.parametrize("in_si", [False, True])
+def test_a_sweep_is_a_table_of_its_points(tmp_path, run_program, in_si):
+    """Read by names, and compared with what the file was written from; without the rig in ratios."""
+    rig = {} if in_si else dict.fromkeys(("natural_frequency_hz", "cart_amplitude_m", "hammer_mass_kg"), np.nan)
+    code, out, err = run_program("export", write_sweep(tmp_path / "s.h5", **rig))
+    assert (code, err) == (0, "") and "not one number of each point, and so left out: impact_displacement" in out
+    with open(tmp_path / "s.csv", newline="", encoding="utf-8") as file:
+        lines = list(csv.DictReader(file))
+    assert len(lines) == 4 * POINTS
+    branches = [(gap, direction) for gap in GAPS for direction in (0, 1)]
+    for number, line in enumerate(lines):
+        gap, direction = branches[number // POINTS]
+        at, force = number % POINTS, force_of(gap, direction)[number % POINTS]
+        assert (int(line["branch"]), line["direction"]) == (number // POINTS, ("up", "down")[direction])
+        assert (float(line["gap_ratio"]), float(line["frequency_ratio"])) == (gap, FREQUENCY[at])
+        assert line["regime"] == ("chaotic" if gap and force == 25 else "periodic" if force > 0 else "no_impact")
+        if in_si:
+            assert float(line["frequency_hz"]) == pytest.approx(4.5 * FREQUENCY[at]) and float(line["gap_mm"]) == pytest.approx(0.89 * gap)
+            assert float(line["peak_force_n"]) == pytest.approx(WEIGHT * force)
+        else:
+            assert float(line["peak_force_ratio"]) == force and not {"frequency_hz", "gap_mm", "peak_force_n"} & set(line)

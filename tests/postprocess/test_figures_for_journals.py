@@ -212,3 +212,17 @@ def test_a_part_may_begin_below_zero_as_it_is_written(monkeypatch):
     monkeypatch.setattr("sys.argv", ["draw.py", "--zoom", "--no-title", "map.h5"])
     with pytest.raises(SystemExit):
         draw.read_arguments()
+
+
+def test_small_hatched_areas_are_named_beside_them_in_grey(tmp_path):
+    """A tongue of 2/2 within 1/1, too narrow for letters: named with a line from within it; in colour it needs no name."""
+    cells = np.full((60, 60, 3), orbit(1, 1))
+    cells[20:50, 30:32] = orbit(2, 2)
+    with open_file(write_map(tmp_path / "a.h5", cells)) as file:
+        grey, colour = (peterka_map.draw(file, palette=palette, width=COLUMN) for palette in ("grey", "colour"))
+        assert [text.get_text() for text in colour.texts] == ["1/1"]
+        assert sorted(text.get_text() for text in grey.texts) == ["1/1", "2/2"]
+        (line,) = [each.get_xydata() for each in grey.lines if each.get_linewidth() == 0.6]
+        edges = file.columns.edges[[30, 32]], file.rows.edges[[20, 50]]
+    within = [all(low <= value <= high for value, (low, high) in zip(end, edges)) for end in line]
+    assert sum(within) == 1

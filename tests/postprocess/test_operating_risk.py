@@ -1,6 +1,7 @@
 """operating_point.py --risk on synthetic maps of drawn rigs: against plain loops, what is refused, and what fresh draws are asked for."""
 
 import math
+import re
 import stat
 import sys
 
@@ -164,6 +165,26 @@ def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path, table):
     with SealedFile(path, "r+") as file:
         file.attrs["job"] += table
     with PeterkaFile(path) as file:
-        changes, words = fresh_draws._offsets(file, (0.5, 0.1))
+        changes, words, widths = fresh_draws._offsets(file, (0.5, 0.1))
+        _, still, _ = fresh_draws._offsets(file, (0.5, 0.0))
     assert set(changes) == {f"uncertainty.operating_point.frequency_hz.{end}" for end in ("from", "to")}
-    assert words == "at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it, without drift)"
+    assert words == ("at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it, around the worst of 5 places "
+                     "within ±0.1 mm)")
+    assert still == "at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it)"
+    assert widths == {"gap_ratio": pytest.approx(0.1 / 0.89)}
+
+
+def test_the_drift_of_an_uncertain_gap_is_verified_too(tmp_path, operate):
+    """The program is asked for places all over the drift by which the place was chosen."""
+    noted, program = tmp_path / "noted", tmp_path / "program"
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0))
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    path = write_uncertain(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file.attrs["job"] += "[uncertainty.operating_point.gap_m]\nstandard_deviation = 2e-5\n"
+    code, told, complaint = operate(path, "--risk", "0.95", "--hz", "0.5", "--mm", "0.1", "--verify", "--peterka", program)
+    assert (code, complaint) == (0, ""), complaint
+    gap = float(re.search(r"gap_ratio ([\d.]+)", told)[1])
+    keys = dict(word.split("=") for word in noted.read_text().splitlines() if "=" in word)
+    assert [float(keys[f"axes.gap_ratio.{key}"]) for key in ("from", "to", "points")] == pytest.approx(
+        [gap - 0.1 / 0.89, gap + 0.1 / 0.89, 5], rel=1e-4)

@@ -26,7 +26,7 @@ def test_other_labels_are_ringed_where_they_are(path, tmp_path):
     same, other = (np.column_stack(line.get_data()) for line in drawn.map_axes.lines)
     assert same.tolist() == [[1, 0], [3, 1], [4, 3], [1, 2]]  # Omega/omega, gap/A0
     assert other.tolist() == [[3, 0]]
-    assert drawn.legend_texts() == ["same label (4 cells)", "other label (1)"]
+    assert drawn.legend_texts()[:2] == ["same label (4 cells)", "other label (1)"]
 
 
 def test_shares_of_errors(path, tmp_path):
@@ -116,3 +116,12 @@ def test_an_audit_that_is_no_group_is_refused(tmp_path, draw):
     with SealedFile(path, "r+") as file:
         file["audit"] = np.zeros(3)
     assert draw(path).code == 2
+
+
+def test_the_legend_tells_the_pale_classes_behind(path, tmp_path):
+    with PeterkaFile(path) as file:
+        figure = figure_of(audit_map.draw(file))
+    legends = [ax.get_legend() for ax in figure.axes if ax.get_legend()]
+    words = {text.get_text() for legend in legends for text in legend.get_texts()}
+    assert {"1/1", "2/2", "1/2", "no impact", "chaotic"} <= words
+    assert "$z = p/q$ of the map" in {legend.get_title().get_text() for legend in legends}

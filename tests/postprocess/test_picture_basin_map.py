@@ -52,7 +52,7 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
     texts = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").legend_texts()
     assert texts[:4] == [
         "no impact (25.0 %)",
-        r"$z$ = 1/1, $F/(m\,g)$ = 41.2 (25.0 %)",
+        r"$z$ = 1/1, $F/(m\,g)$ = 41.25 (25.0 %)",
         r"$z$ = 1/1, $F/(m\,g)$ = 20 (12.5 %)",
         r"$z$ = 1/2, $F/(m\,g)$ = 60 (12.5 %)",
     ]
@@ -66,7 +66,7 @@ def test_two_attractors_of_a_class_never_read_the_same(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", [[orbit(1, 1)] * 4] * 3 + [[orbit(1, 2)] * 4], table,
                                  np.arange(4).repeat(4).reshape(4, 4))) as file:
         texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
-    assert [text.split("= ")[2].split(" (")[0] for text in texts[:4]] == ["41.251", "41.253", "41.2", "41.2"]
+    assert [text.split("= ")[2].split(" (")[0] for text in texts[:4]] == ["41.251", "41.253", "41.25", "41.25"]
 
 
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
@@ -159,3 +159,14 @@ def test_the_title_has_the_place_in_the_units_of_the_job(tmp_path, place, units,
                        job=f"schema = 1\n[operating_point]\n{place}\n")
     with PeterkaFile(path) as file, style.using(units=units):
         assert axes.operating_point(file) == words
+
+
+@pytest.mark.parametrize("units, told", [("si", "$A_0\\Omega$ = 45.3 mm/s"), ("ratio", "$A_0\\Omega/(A_0\\omega)$ = 1.8")])
+def test_the_legend_tells_how_an_attractor_of_the_summary_is_found_in_the_picture(tmp_path, units, told):
+    """The summary has it relative to the cart, the picture over ground; with 4.5 Hz and 0.89 mm, A0 Omega is 0.0453 m/s."""
+    path = write_basin(tmp_path / "a.h5", attractors=[row(1, 1, 1, 60.0, 16)], attractor=np.zeros((4, 4), dtype=int),
+                       natural_frequency_hz=4.5, cart_amplitude_m=0.89e-3)
+    with PeterkaFile(path) as file:
+        figure = figure_of(basin_map.draw_attractors(file, units=units))
+    words = [text.get_text() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+    assert any("$x = u$, $\\dot{x} = \\dot{u} + A_0\\Omega$" in word and told in word for word in words), words

@@ -1,5 +1,7 @@
 """Pictures of curves: each kind by its line style, special points by letters, p/q at the curves, in the right place."""
 
+import itertools
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -77,7 +79,7 @@ def test_the_picture_over_the_map_says_what_its_colours_are(tmp_path):
 def test_special_points_that_lie_together_have_their_letters_once(tmp_path):
     crowd = [(0, 3.0, 2.8), (0, 3.0, 2.8), (0, 3.002, 2.8), (3, 3.06, 2.82), (1, 1.9, 0.6)]
     figure = drawn(write_curves(tmp_path / "c.h5", specials=crowd), curves_map.draw, tmp_path)
-    letters = [text for text in figure.axes[0].texts if "/" not in text.get_text()]
+    letters = [text for text in figure.axes[0].texts if set(text.get_text()) <= set("FPGCI")]
     assert sorted(text.get_text() for text in letters) == ["FC", "P"]
     dots = [line for line in figure.axes[0].lines if line.get_marker() == "."]
     assert len(dots) == 3  # points closer than a dot's width share one
@@ -91,11 +93,41 @@ def test_each_letter_of_the_legend_is_in_the_picture(tmp_path):
         with CurvesFile(write_curves(tmp_path / "c.h5", specials=crowd)) as file, style.using(width=width):
             ax = curves_map.draw(file)
             axes.save(axes.figure_of(ax), tmp_path / "a.png")
-        letters = [text.get_text() for text in ax.texts if "/" not in text.get_text()]
+        letters = [text.get_text() for text in ax.texts if set(text.get_text()) <= set("FPGCI")]
         assert set("".join(letters)) == set("FPGI") and "I" in letters
         for text in ax.texts:
             assert ax.get_window_extent().contains(*text.get_window_extent().min)
             assert ax.get_window_extent().contains(*text.get_window_extent().max)
+
+
+CROWD = [(kind, 2.0 + 0.3 * (number % 4), 1.2 + 0.3 * (number // 4)) for number, kind in enumerate([0, 1, 2, 3] * 3)]
+NEAR_LETTERS = 9  # pt: letters farther from their own dot have a line to it
+
+
+@pytest.mark.parametrize("picture", [curves_map.draw, curves_map.draw_over_map])
+def test_letters_are_beside_their_dots_and_over_nothing(tmp_path, picture):
+    with CurvesFile(write_curves(tmp_path / "c.h5", specials=[*CROWD, (0, 4.0, 3.0), (1, 1.0, 0.0)])) as file, style.using(width=84):
+        ax = picture(file)
+        axes.save(axes.figure_of(ax), tmp_path / "a.png")
+    dots = ax.transData.transform([line.get_xydata()[0] for line in ax.lines if line.get_marker() == "."])
+    leaders = [ax.transData.transform(line.get_xydata()) for line in ax.lines if line.get_linewidth() == 0.6]
+    boxes = {text: text.get_window_extent() for text in ax.texts}
+    letters = [box for text, box in boxes.items() if set(text.get_text()) <= set("FPGCI")]
+    assert len(letters) == 14
+    for box in letters:
+        assert ax.bbox.x0 < box.x0 and box.x1 < ax.bbox.x1 and ax.bbox.y0 < box.y0 and box.y1 < ax.bbox.y1
+        away = np.min(np.hypot(*(dots - np.clip(dots, box.min, box.max)).T)) * 72 / axes.figure_of(ax).dpi
+        ends = [end for line in leaders for end in line if np.all((end >= box.min - 2) & (end <= box.max + 2))]
+        assert away <= NEAR_LETTERS + 1 or ends
+        assert not np.any(np.all((dots > box.min) & (dots < box.max), axis=1))
+    for first, second in itertools.combinations(boxes.values(), 2):
+        assert not first.overlaps(second)
+
+
+def test_a_motion_without_impact_is_named_so(tmp_path):
+    figure = drawn(write_curves(tmp_path / "c.h5", [*LINES[:2], (2, 0, 1, LINES[2][3])]), curves_map.draw, tmp_path)
+    words = {text.get_text() for text in figure.axes[0].texts}
+    assert "no impact" in words and "0/1" not in words
 
 
 def test_letters_look_in_the_legend_as_in_the_picture(tmp_path):

@@ -37,7 +37,7 @@ def test_all_impacts_carry_a_force(tmp_path):
 
 def test_cells_without_a_proof_keep_their_own_colour(tmp_path):
     cells = [[orbit(1, 1), UNRESOLVED], [FAILED, MISSING]]
-    with PeterkaFile(write_map(tmp_path / "a.h5", cells)) as file:
+    with PeterkaFile(write_map(tmp_path / "a.h5", cells, hammer_mass_kg=np.nan)) as file:
         drawn = Drawn(force_map.draw_all_impacts(file), tmp_path / "a.png")
         assert drawn.colour_of(file, 0, 1) == colour_named("unresolved")
         assert drawn.colour_of(file, 1, 0) == colour_named("failed")
@@ -49,16 +49,16 @@ def test_the_largest_force_is_marked_with_its_value(tmp_path):
     forces[1, 0], forces[0, 3] = 12.5, 40.0  # z = 1/1, and a larger one for 1/2
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=forces)) as file:
         single, every = figure_of(force_map.draw_single_impact(file)).axes[0], figure_of(force_map.draw_all_impacts(file)).axes[0]
-    assert [text.get_text() for text in single.texts] == ["max 12.5 (36.5 N), on the map's border"]
+    assert [text.get_text() for text in single.texts] == ["max 12.5 (36.53 N), on the map's border"]
     assert [float(value[0]) for value in single.lines[0].get_data()] == [1.0, 1.0]  # Omega/omega, gap/A0
-    assert [text.get_text() for text in every.texts] == ["max 40 (117 N), on the map's border"]
+    assert [text.get_text() for text in every.texts] == ["max 40 (116.9 N), on the map's border"]
     assert [float(value[0]) for value in every.lines[0].get_data()] == [4.0, 0.0]
 
 
 def test_the_largest_force_leads_with_the_unit_of_the_job(tmp_path):
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=np.full((4, 4), 12.5), job="[axes.frequency_hz]\nfrom = 4.5\n")) as file:
         told = [figure_of(force_map.draw_all_impacts(file, units=units)).axes[0].texts[0].get_text() for units in ("both", "si", "ratio")]
-    assert [words.partition(",")[0] for words in told] == ["max 36.5 N (12.5)", "max 36.5 N", "max 12.5"]
+    assert [words.partition(",")[0] for words in told] == ["max 36.53 N (12.5)", "max 36.53 N", "max 12.5"]
 
 
 def test_the_scale_in_newtons_needs_a_mass(tmp_path):
@@ -81,7 +81,7 @@ def test_a_single_spike_does_not_flatten_the_scale(tmp_path):
     with PeterkaFile(write_map(tmp_path / "a.h5", cells, forces=forces)) as file:
         drawn = Drawn(force_map.draw_all_impacts(file), tmp_path / "a.png")
     assert drawn.map_axes.collections[-1].get_clim()[1] == pytest.approx(10.0)
-    assert drawn.map_texts() == ["max 1000 (2.92 kN)"]
+    assert drawn.map_texts() == ["max 1000 (2.922 kN)"]
 
 
 def test_no_picture_without_a_force(tmp_path):

@@ -381,3 +381,14 @@ def test_draw_prints_the_residuals(tmp_path, draw):
     computed = 40 * WEIGHT
     assert re.split(r"  +", line.strip()) == ["9", "0", "100", "1/1 up and down", f"{computed:.4g}", f"{100 - computed:+.3g}",
                                               f"{100 * (100 / computed - 1):+.1f} %", "the point", "mine"]
+
+
+def test_help_tells_the_columns_of_measured_points_with_an_example(draw, tmp_path):
+    """The example is read, and no source file has to be opened."""
+    words = " ".join(draw("--help").stdout.split())
+    told = words[words.index("--measured POINTS.csv points to draw"):]
+    head, line = re.search(r"Two lines of an example: (\S+) / (.*?) --", told).groups()
+    assert ".py" not in told[:told.index("Two lines")] and {"frequency_hz", "force_n", "gap_mm"} <= set(head.split(","))
+    (tmp_path / "points.csv").write_text(f"{head}\n{line}\n")
+    outcome = draw(write_map(tmp_path / "a.h5"), "--only", "force_all", "--measured", tmp_path / "points.csv", "--format", "png")
+    assert outcome.code == 0 and "152.5" in outcome.stdout, outcome.stderr

@@ -134,7 +134,7 @@ def test_a_title_is_not_mathematics(tmp_path):
 
 
 @pytest.mark.parametrize("share, text", [
-    (0, "0.0 %"), (1, "100.0 %"), (0.204, "20.4 %"), (1e-7, "< 0.1 %"), (1 - 1e-7, "> 99.9 %"),
+    (0, "0.0 %"), (1, "100.0 %"), (0.204, "20.4 %"), (1e-7, "< 0.05 %"), (1 - 1e-7, "> 99.95 %"), (7e-4, "0.1 %"), (0.9994, "99.9 %"),
 ])
 def test_percent(share, text):
     assert axes.percent(share) == text

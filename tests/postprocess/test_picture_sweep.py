@@ -107,17 +107,17 @@ def test_jumps_and_resonance_carry_their_numbers(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
         figure = figure_of(response.draw(file))
     first, second = panels_of(figure)
-    assert texts(first)[1:] == [f"★ 40 = {40 * WEIGHT:.3g} N at 2 (9 Hz)"]
+    assert texts(first)[1:] == [f"★ 40 = {40 * WEIGHT:.4g} N at 2 (9 Hz)"]
     # up jumps between 1.75 and 1.875, down between 1.625 and 1.5
     assert sorted(texts(second)[1:]) == [
-        "1.562 (7.031 Hz)", "1.812 (8.156 Hz)", f"■ 50 = {50 * WEIGHT:.3g} N at 1.5 (6.75 Hz)",
-        f"■ 60 = {60 * WEIGHT:.3g} N at 1.75 (7.875 Hz)"]
+        "1.562 (7.031 Hz)", "1.812 (8.156 Hz)", f"■ 50 = {50 * WEIGHT:.4g} N at 1.5 (6.75 Hz)",
+        f"■ 60 = {60 * WEIGHT:.4g} N at 1.75 (7.875 Hz)"]
 
 
 @pytest.mark.parametrize("units, job, told", [
-    ("both", "", ["gap/A₀ = 0 (0 mm)", f"★ 40 = {40 * WEIGHT:.3g} N at 2 (9 Hz)"]),
-    ("both", "[axes.frequency_hz]\nfrom = 4.5\n", ["gap = 0 mm (gap/A₀ = 0)", f"★ {40 * WEIGHT:.3g} N = 40 at 9 Hz (2)"]),
-    ("si", "", ["gap = 0 mm", f"★ {40 * WEIGHT:.3g} N at 9 Hz"]),
+    ("both", "", ["gap/A₀ = 0 (0 mm)", f"★ 40 = {40 * WEIGHT:.4g} N at 2 (9 Hz)"]),
+    ("both", "[axes.frequency_hz]\nfrom = 4.5\n", ["gap = 0 mm (gap/A₀ = 0)", f"★ {40 * WEIGHT:.4g} N = 40 at 9 Hz (2)"]),
+    ("si", "", ["gap = 0 mm", f"★ {40 * WEIGHT:.4g} N at 9 Hz"]),
     ("ratio", "[axes.frequency_hz]\nfrom = 4.5\n", ["gap/A₀ = 0", "★ 40 at 2"])])
 def test_words_lead_with_the_unit_of_the_job(tmp_path, units, job, told):
     with SweepFile(write_sweep(tmp_path / "a.h5", job=job)) as file:

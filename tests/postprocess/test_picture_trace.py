@@ -4,6 +4,7 @@ import h5py
 import numpy as np
 import pytest
 from peterka import rig_sketch
+from peterka.pictures import open_file, pictures_of
 from peterka.plotting import axes
 from peterka.plotting.figures import figure_of
 from peterka.traces import impact, motion, phase_plane, spectrum
@@ -145,3 +146,29 @@ def test_the_sketch_of_the_rig_names_its_coordinates():
     boxes = [text.get_window_extent() for text in texts]
     assert all(figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1 and box.y1 <= figure.bbox.y1 for box in boxes)
     assert not any(one.overlaps(other) for n, one in enumerate(boxes) for other in boxes[:n])
+
+
+def test_spectra_in_a_narrow_picture_have_room_for_their_ticks(tmp_path):
+    """Those of 8 kHz need 2 in: side by side in a column of a journal they had two ticks."""
+    with open_file(write_trace(tmp_path / "a.h5")) as file:
+        for width in (84, None):
+            panels = pictures_of(file)["spectrum"](file, width=width)
+            figure_of(panels).draw_without_rendering()
+            assert all(ax.bbox.width / figure_of(panels).dpi > 1.8 for ax in panels)
+
+
+@pytest.mark.parametrize("times, words", [(0.5, "on the way to the steady motion, whose peak is"), (1.0, "the peak of the steady motion"),
+                                          (2.0, "; peak of the steady motion")])
+def test_a_trace_tells_the_peak_of_the_steady_motion_from_that_of_the_way_to_it(tmp_path, times, words):
+    path = write_trace(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        hardest = float(np.nanmax(file["impacts/peak_force_ratio"][...]))
+        for name, value in {"regime": np.int8(1), "impacts": np.int32(1), "period": np.int32(1), "status": np.int8(0),
+                            "observed_cycles": np.int32(0), "multiplier": 0.1, "lyapunov": np.nan, "peak_force_ratio": times * hardest}.items():
+            file[f"cell/{name}"] = value
+        file["cell/status"].attrs.update({"flag_values": np.array([0], dtype="i1"), "flag_meanings": "verified"})
+    with TraceFile(path) as file:
+        for picture in (motion, impact):
+            title = " ".join(figure_of(picture.draw(file, units="si"))._suptitle.get_text().split())
+            assert f"hardest impact {hardest * WEIGHT:.4g} N" in title and words in title
+            assert times == 1 or f"{times * hardest * WEIGHT:.4g} N" in title

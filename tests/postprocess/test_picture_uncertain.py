@@ -1,5 +1,7 @@
 """Pictures of drawn rigs: probabilities and their lines, the commonest outcome, the lower 5 % of the forces, the band of a sweep."""
 
+import re
+
 import numpy as np
 import peterka
 import pytest
@@ -9,6 +11,7 @@ from peterka.maps import uncertain_map
 from peterka.maps.map_file import PeterkaFile
 from peterka.maps.outcomes import draws_of, is_class
 from peterka.pictures import open_file, pictures_of
+from peterka.plotting import style
 from peterka.plotting.classes import CLASSES, INDEX
 from peterka.plotting.figures import figure_of
 from peterka.sweeps import uncertain_response
@@ -88,7 +91,7 @@ def test_the_commonest_outcome_has_its_colour_the_paler_the_less_likely(tmp_path
             assert drawn.colour_of(file, row, column) == to_hex(mixed).upper()
     legend = drawn.legend_texts()
     assert legend[:2] == [f"1/1 ({100 * np.mean(best == 0):.1f} %)", f"no impact ({100 * np.mean(best == 1):.1f} %)"]
-    assert legend[2:] == ["≥ 0.95", "0.75–0.95", "0.5–0.75", "< 0.5", "probability 0.95"]
+    assert legend[2:] == ["≥ 0.95", "0.75–0.95", "0.5–0.75", "< 0.5", "probability 0.95, ticks point to where it is likelier"]
 
 
 def test_in_grey_lightness_tells_classes_and_lines_tell_probabilities(tmp_path):
@@ -98,7 +101,7 @@ def test_in_grey_lightness_tells_classes_and_lines_tell_probabilities(tmp_path):
         colours = {drawn.colour_of(file, *place) for place in np.argwhere((best == 0) & (np.abs(SHARES[0] - 0.7) < 0.1))[::5]}
         sure = {drawn.colour_of(file, 0, 31)}
     assert colours == sure
-    assert drawn.legend_texts()[2:] == ["probability 0.95"]
+    assert drawn.legend_texts()[2:] == ["probability 0.95, ticks point to where it is likelier"]
 
 
 def test_single_cells_get_no_line(tmp_path):
@@ -265,3 +268,40 @@ def test_classes_of_motions():
                           ("chaotic", [0, 0, 0, 1, 0, 0, 0])):
         assert is_class(wanted, regimes, impacts, periods).tolist() == list(map(bool, right))
     assert CLASSES[INDEX["no impact"]].label == uncertain_map.PROBABILITIES["probability_no_impact"]
+
+
+def test_ticks_point_to_where_the_commonest_outcome_is_likely(tmp_path):
+    """1/1 is likely below a slanting border, no impact above it: the sides of the lines are told by the probability itself."""
+    for palette in ("grey", "colour"):
+        with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file, style.using(palette=palette):
+            ax = uncertain_map.draw_commonest(file)
+            likely = file.band(["regime", "outcome_probability"], 0, file.shape[0])["outcome_probability"][0]
+        ticks = [line.get_xydata() for line in ax.lines if line.get_gid() == uncertain_map.TICKS]
+        assert len(ticks) > 4
+        higher = 0
+        for own, end in ticks:  # in shares of the picture
+            (row, column), (row2, column2) = ((int(place[1] * likely.shape[0]), int(place[0] * likely.shape[1])) for place in (end, 2 * own - end))
+            higher += likely[row, column] > likely[row2, column2]
+        assert higher == len(ticks)
+        words = [text.get_text() for each in ax.figure.axes if each.get_legend() for text in each.get_legend().get_texts()]
+        assert any("ticks point to where it is likelier" in word for word in words)
+
+
+def test_zero_is_apart_from_small_forces(tmp_path):
+    with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file, style.using(units="si"):
+        ax = uncertain_map.draw_force(file)
+        low = file.band(["regime", "force_q05_ratio"], 0, file.shape[0])["force_q05_ratio"]
+        words = [text.get_text() for each in ax.figure.axes if each.get_legend() for text in each.get_legend().get_texts()]
+        on_scale = ax.collections[-1].get_array().reshape(low.shape)
+    assert "0: more than 5 % of the rigs don't impact" in words and (low == 0).any()
+    assert np.array_equal(np.ma.getmaskarray(on_scale), low == 0)
+
+
+def test_the_response_says_where_rigs_begin(tmp_path, draw):
+    points = tmp_path / "points.csv"
+    points.write_text("frequency_hz,gap_mm,force_n\n6.0,0,60\n")
+    path = write_uncertain_sweep(tmp_path / "a.h5")
+    outcome = draw(path, "--only", "response_of_rigs", "--measured", points, "--format", "svg")
+    told = "drawn rigs begin from [start], branches with the motion at the point before"
+    assert told in outcome.stdout
+    assert told in re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", (tmp_path / "out" / "a_response_of_rigs.svg").read_text()))

@@ -46,6 +46,7 @@ from ..files.nearest import did_you_mean
 from ..files.opened import OpenedFile
 from ..plotting import axes
 from ..plotting.figures import figure_of
+from ..plotting.limits import NothingToSee
 from ..plotting.style import using
 from ..maps.curves_over import read_lines
 from ..maps.map_file import PeterkaFile
@@ -79,7 +80,7 @@ def _draw():
     outcome = DONE
     for path in arguments.files:
         try:
-            draw_file(path, arguments)
+            outcome = draw_file(path, arguments) or outcome
         except PeterkaFileError as refusal:
             complain(refusal)
             outcome = outcome or BAD_INPUT
@@ -101,7 +102,10 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--export", metavar="csv,vtk,mat", type=read_formats, default=[],
                         help="besides, the cells of maps and basins for other programs, as export.py writes them")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
-                        help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
+                        help="points to draw over a sweep or map, one a line below the names of the columns: frequency_hz or frequency_ratio, "
+                             "force_n or force_ratio, displacement_mm or displacement_ratio, gap_mm or gap_ratio, and optionally standard errors "
+                             "(force_error_n, ...), series, label. Two lines of an example: frequency_hz,gap_mm,force_n,label / "
+                             "9.0,1.0,152.5,first run")
     parser.add_argument("--probability", metavar="MOTION", type=read_motion, default=IMPACTS,
                         help="of drawn rigs: a p/q, 'no impact', chaotic, or impacts, of any kind; default: impacts")
     parser.add_argument("--curves", metavar="CURVES.h5", type=Path,
@@ -127,8 +131,9 @@ def read_motion(text: str) -> str:
         raise argparse.ArgumentTypeError(str(error)) from error
 
 
-def draw_file(path: Path, arguments: argparse.Namespace) -> None:
-    """All pictures of a file that are asked for, and what is told of it besides."""
+def draw_file(path: Path, arguments: argparse.Namespace) -> int:
+    """All pictures of a file that are asked for, and what is told of it besides; the exit code."""
+    outcome = DONE
     with open_file(path) as whole, using(**style_of(arguments)):
         file = zoomed(whole, arguments.zoom, arguments.units == "si")
         for written in export(whole, arguments.output_dir, arguments.export) if arguments.export else []:
@@ -157,7 +162,12 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
             tell(f"{path}: {axes.incomplete_text(file)}")
         pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves, arguments.probability)
         for name, draw in chosen(file, pictures, arguments.only, bool(arguments.zoom)).items():
-            drawn = draw(file)
+            try:
+                drawn = draw(file)
+            except NothingToSee as refusal:  # limits are meant for some of the pictures
+                complain(f"{name}: {refusal}")
+                outcome = BAD_INPUT
+                continue
             if drawn is None:
                 tell(f"{path}: no value to draw, {name} is left out")
                 continue
@@ -165,6 +175,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
             del drawn
             gc.collect()
+    return outcome
 
 
 def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str], is_part: bool = False) -> dict[str, Callable]:

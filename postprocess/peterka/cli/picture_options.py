@@ -26,7 +26,8 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--dpi", type=number_within(*DPIS), help="dots per inch; default: as many as the cells need")
     parser.add_argument("--font", metavar="NAME", help="a font family of this machine")
     parser.add_argument("--no-title", dest="title", action="store_false", help="leave the title out, for the caption has it")
-    parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces, in its own numbers")
+    parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces; with --units si in N, m/s, s, ... whatever the scale's prefix, otherwise in the "
+                             "ratio that it shows (forces over the hammer's weight), or in SI where there is none")
     parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
     parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
     add_units_argument(parser)

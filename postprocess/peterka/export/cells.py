@@ -1,4 +1,4 @@
-"""The cell fields of a map or basin, with names and customary units."""
+"""The cell fields of a map or basin, or those of a sweep's points, with names and customary units."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -13,6 +13,7 @@ from ..files.checked_hdf5 import INTEGER, REAL, CheckedFile
 from ..files.coordinates import NAMES, unit_of
 from ..errors import PeterkaFileError
 from ..maps.map_file import PeterkaFile
+from ..sweeps.sweep_file import SweepFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
@@ -44,18 +45,19 @@ class Side:
     ratios: np.ndarray
 
 
-def fields_of(file: PeterkaFile) -> list[Field]:
-    """The Fields of a map or basin, the label first. Datasets added by other programs are skipped if their name does not
+def fields_of(file: PeterkaFile | SweepFile) -> list[Field]:
+    """The Fields of a map or basin, or of a sweep on [branch][point], the label first. Datasets added by other programs are skipped if their name does not
     match the layout's pattern or clashes with another field or axis."""
     first = ["regime", "impacts", "period", "peak_force_ratio"]
     edges = {f"edge_distance_{side}": (word, factor) for side, word, factor in (
         ("frequency_ratio", "edge_distance_frequency_hz", file.positive("natural_frequency_hz")),
         ("gap_ratio", "edge_distance_gap_mm", 1e3 * (file.positive("cart_amplitude_m") or 0)),
         ("gap_m", "edge_distance_gap_mm", 1e3)) if factor}
+    shape = (len(file.branches), len(file.values)) if isinstance(file, SweepFile) else file.shape
     found = []
     for name in [*first, *(name for name in file.data.names() if name not in first and PLAIN_NAME.fullmatch(name))]:
         try:
-            kind = file.data.dataset(name, file.shape, INTEGER + REAL).dtype.kind
+            kind = file.data.dataset(name, shape, INTEGER + REAL).dtype.kind
         except PeterkaFileError:  # a group, an axis, or a table of a different kind
             continue
         if name.startswith(("peak_force", "force_q")) and name.endswith("_ratio") and file.newtons:
@@ -74,29 +76,38 @@ def fields_of(file: PeterkaFile) -> list[Field]:
     return [field for field in found if field.name != field.dataset or field.name not in taken]
 
 
-def sides_of(file: PeterkaFile) -> tuple[Side, Side]:
-    """The axes (rows, columns) as Sides."""
+def sides_of(file: PeterkaFile | SweepFile) -> tuple[Side, Side]:
+    """The axes (rows, columns) as Sides; of a sweep the gaps of its branches, and the axis of its points. A gap that a sweep's file
+    doesn't tell for each branch, as where it is the axis, is NaN."""
+    if isinstance(file, SweepFile):
+        gaps = np.array([np.nan if branch.gap_ratio is None else branch.gap_ratio for branch in file.branches])
+        stored = next((name for name in ("gap_ratio", "gap_m") if file.data.has(name) and file.axis.stored != name), file.gap_name)
+        return (_side(file, file.gap_name, stored if file.data.has(stored) else file.gap_name, gaps),
+                _side(file, file.axis_name, file.axis.stored, file.values))
+    rows, columns = (_side(file, axis.name, axis.stored, axis.values) for axis in (file.rows, file.columns))
+    return rows, columns
+
+
+def _side(file, own_name, stored, ratios):
     units = {"frequency_ratio": ("frequency_hz", 1.0), "gap_ratio": ("gap_mm", 1e3), "displacement_ratio": ("displacement_mm", 1e3),
              "velocity_ratio": ("velocity_m_s", 1.0)}
-    found = []
-    for axis in (file.rows, file.columns):
-        name, values = axis.name, axis.values
-        unit = unit_of(file, axis.name) if axis.name in units else None
-        if unit:
-            name, size = units[axis.name]
-            # those that the file has in SI units are these, to the last bit
-            values = size * (values * unit if axis.stored == axis.name else file.data.values(axis.stored, slice(None)))
-        elif axis.name == "gap_m":
-            name, values = "gap_mm", 1e3 * values
-        found.append(Side(name, values, axis.name, axis.values))
-    return found[0], found[1]
+    name, values = own_name, ratios
+    unit = unit_of(file, own_name) if own_name in units else None
+    if unit:
+        name, size = units[own_name]
+        # those that the file has in SI units are these, to the last bit
+        values = size * (values * unit if stored == own_name else file.data.values(stored, slice(None)))
+    elif own_name == "gap_m":
+        name, values = "gap_mm", 1e3 * values
+    return Side(name, values, own_name, ratios)
 
 
-def left_out(file: PeterkaFile) -> list[str]:
+def left_out(file: PeterkaFile | SweepFile) -> list[str]:
     """Names of the datasets, or groups, of a file that aren't one number of each cell, and so are none of its Fields or Sides."""
     if not isinstance(file.data, CheckedFile):
         return []
-    told = {field.dataset for field in fields_of(file)} | {axis.stored for axis in (file.rows, file.columns)} | NAMES | set(OF_THE_RUN)
+    axes = {"direction", file.axis.stored} if isinstance(file, SweepFile) else {axis.stored for axis in (file.rows, file.columns)}
+    told = {field.dataset for field in fields_of(file)} | axes | NAMES | set(OF_THE_RUN)
     names = dict.fromkeys(name.partition("/")[0] for name, dataset in file.data.numbers().items() if not is_scale(dataset.id))
     return [name for name in names if name not in told and PLAIN_NAME.fullmatch(name)]
 

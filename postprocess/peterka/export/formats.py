@@ -1,4 +1,4 @@
-"""Cells of a map or a basin written as CSV, VTK (legacy, binary, a rectilinear grid) or a MATLAB file (version 5)."""
+"""Cells of a map or a basin, and the points of a sweep as CSV, written as CSV, VTK (legacy, binary, a rectilinear grid) or a MATLAB file (version 5)."""
 
 import argparse
 import csv
@@ -10,6 +10,7 @@ import numpy as np
 from ..files.opened import OpenedFile
 from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
+from ..sweeps.sweep_file import SweepFile
 from .cells import bands, fields_of, left_out, regime_word, sides_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
@@ -31,6 +32,22 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
                     places = {0: first + row, 1: column}
                     table.writerow([*(_number(numbers[places[which]]) for side, which in sides
                                       for numbers in _once(side)), *cells])
+
+
+def write_csv_of_sweep(file: SweepFile, path: Path) -> None:
+    """One line per point, branch by branch: the branch's number from 0, its direction and gap, the point's place, and the fields of a
+    map's cells. Numbers round-trip exactly."""
+    fields, (gaps, points) = fields_of(file), sides_of(file)
+    heads = [name for side in (gaps, points) for name in dict.fromkeys([side.name, side.ratio_name])]
+    with written_whole(path, "w", newline="", encoding="utf-8") as out:
+        table = csv.writer(out)
+        table.writerow(["branch", "direction", *heads, *(field.name for field in fields)])
+        for branch in file.branches:
+            own = [str(branch.row), branch.direction, *(_number(numbers[branch.row]) for numbers in _once(gaps))]
+            cells = [(field, file.data.values(field.dataset, branch.row)) for field in fields]
+            texts = [_texts(field, values if field.whole else values * field.factor) for field, values in cells]
+            for point, values in enumerate(zip(*texts)):
+                table.writerow([*own, *(_number(numbers[point]) for numbers in _once(points)), *values])
 
 
 def write_vtk(file: PeterkaFile, path: Path) -> None:
@@ -78,9 +95,20 @@ def read_formats(text: str) -> list[str]:
 
 
 def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[Path]:
-    """Writes an open map, basin or coarse map of curves in each format into a folder, creating it if missing; yields the paths written."""
+    """Writes an open map, basin or coarse map of curves in each format, and a sweep as CSV, into a folder, creating it if missing; yields
+    the paths written."""
+    formats = list(formats)
+    if isinstance(file, SweepFile):
+        if formats != ["csv"]:
+            raise file.refusal(f"is a sweep, whose points are exported as csv alone; {', '.join(name for name in formats if name != 'csv')} "
+                               "takes the cells of maps, basins and curves: use --as csv")
+        folder.mkdir(parents=True, exist_ok=True)
+        path = folder / f"{file.path.stem}.csv"
+        write_csv_of_sweep(file, path)
+        yield path
+        return
     if not isinstance(file, PeterkaFile):
-        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves are exported, others are read by xarray")
+        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves and the points of sweeps are exported, others are read by xarray")
     folder.mkdir(parents=True, exist_ok=True)
     for name in formats:
         path = folder / f"{file.path.stem}.{name}"
@@ -90,9 +118,9 @@ def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[P
 
 def left_out_in_words(file: OpenedFile) -> list[str]:
     """A line on what of a file is in no export; none where that is nothing."""
-    names = left_out(file) if isinstance(file, PeterkaFile) else []
+    names = left_out(file) if isinstance(file, (PeterkaFile, SweepFile)) else []
     more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-    return [f"{file.path}: not one number of each cell, and so left out: {', '.join(names[:MOST_NAMED])}{more}; xarray and "
+    return [f"{file.path}: not one number of each {'point' if isinstance(file, SweepFile) else 'cell'}, and so left out: {', '.join(names[:MOST_NAMED])}{more}; xarray and "
             "peterka.open read them from the file"] if names else []
 
 

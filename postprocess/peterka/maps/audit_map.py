@@ -30,11 +30,11 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     audit = file.audit
     if audit is None or audit.count == 0:
         return None
-    reduced, _ = orbit_picture(file, ["regime", "impacts", "period"])
+    reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
     differing = int(np.sum(~audit.agrees))
     handles = [Line2D([], [], label=f"same label ({audit.count - differing} cells)", **AGREES | {"markersize": 5}),
                Line2D([], [], label=f"other label ({differing})", **DIFFERS)]
-    figure, ax, error_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], panel_height=ERROR_HEIGHT,
+    figure, ax, error_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None), *_background(counts)], panel_height=ERROR_HEIGHT,
                                       ax=ax)
     axes.show_classes(ax, reduced, [paler(entry.colour, PALE) for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
@@ -46,6 +46,14 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, f"audit of {audit.count} cells by an independent engine", ax)
     return ax
+
+
+def _background(counts):
+    """Legends of the plane's pale classes."""
+    present = [(n, axes.legend_patch(CLASSES[n].label, paler(CLASSES[n].colour, PALE), n == INDEX["not computed yet"]))
+               for n in np.flatnonzero(counts)]
+    orbits = [key for n, key in present if CLASSES[n].orbit or n == INDEX["other p/q"]]
+    return [(orbits, 4, "$z = p/q$ of the map"), ([key for _, key in present if key not in orbits], 2, None)]
 
 
 def compared_errors(force_error: Reals) -> Reals:

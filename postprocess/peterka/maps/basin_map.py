@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
+from ..files.coordinates import unit_of
 from ..files.job_numbers import edge_of_no_impact
 from ..files.regimes import CHAOTIC, NO_IMPACT, PERIODIC
 from ..plotting import axes, style, units
@@ -53,7 +54,7 @@ def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     marks = _attractor_points(file, named, named_entries)
     inside = [point for point in marks if _is_inside(file, point)]
     ax = _draw(file, ax, ["attractor", "regime", "impacts", "period"], label, entries, 1,
-                       _mark_handles(len(inside), len(marks) - len(inside)))
+                       _mark_handles(file, len(inside), len(marks) - len(inside)))
     for x, y, colour in inside:
         ax.plot(x, y, **MARK | {"markerfacecolor": fill(colour).colour})
     return ax
@@ -176,10 +177,20 @@ def _is_inside(file, point):
     return all(axis.edges[0] <= value <= axis.edges[-1] for axis, value in zip((file.columns, file.rows), point))
 
 
-def _mark_handles(inside, outside):
-    handles = [Line2D([], [], label="its attractor, at forcing phase 0", **MARK | {"markerfacecolor": "white"})]
+def _mark_handles(file, inside, outside):
+    handles = [Line2D([], [], label=f"its attractor, at forcing phase 0{_relative_in_words(file)}", **MARK | {"markerfacecolor": "white"})]
     handles = handles if inside else []
     if outside:
         words = "1 attractor lies" if outside == 1 else f"{outside} attractors lie"
         handles.append(Line2D([], [], label=f"{words} outside the picture", linestyle="none"))
     return handles
+
+
+def _relative_in_words(file):
+    """How the point of an attractor in the picture follows from that of the program's summary, relative to the cart."""
+    ratio, unit = file.positive("frequency_ratio"), unit_of(file, "velocity_ratio")
+    if ratio is None:
+        return ""
+    if unit is None or style.current().units == "ratio":
+        return f":\n$x = u$, $\\dot{{x}} = \\dot{{u}} + A_0\\Omega$, $A_0\\Omega/(A_0\\omega)$ = {ratio:.4g}"
+    return f":\n$x = u$, $\\dot{{x}} = \\dot{{u}} + A_0\\Omega$, $A_0\\Omega$ = {units.amount(ratio * unit, 'm/s')}"

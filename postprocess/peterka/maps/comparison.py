@@ -18,7 +18,7 @@ from ..files.harmless import harmless
 from ..errors import PeterkaFileError
 from ..files.regimes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting.classes import class_of
-from ..plotting.coordinates import in_words
+from ..plotting.coordinates import in_words, label, without_symbol
 from .common_plane import CommonPlane
 from .map_file import PeterkaFile
 
@@ -134,15 +134,24 @@ def change(ratio: float) -> str:
     return f"{100 * (ratio - 1):+.3g} %" if 0.1 < ratio < 10 else f"{ratio:.3g} times"
 
 
-def differing_keys(first: PeterkaFile, second: PeterkaFile) -> list[str]:
-    """A line for each key in which the jobs differ, with both values; empty if there is none."""
+def differing_keys(first: PeterkaFile, second: PeterkaFile, has_keys: bool = True) -> list[str]:
+    """A line for each key in which the jobs differ, with both values; empty if there is none. `has_keys`: whether a key that is known
+    by words is named beside them."""
     jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
     if None in jobs:
         return []
     keys = [key for key in dict.fromkeys([*jobs[0], *jobs[1]]) if jobs[0].get(key) != jobs[1].get(key)]
-    lines = [f"{key}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
+    lines = [f"{_called(key, has_keys)}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
     more = len(lines) - MOST_KEYS
     return lines if more <= 0 else [*lines[:MOST_KEYS], f"and {more} more keys"]
+
+
+def _called(key, has_key):
+    """A key of a job with its words and its unit, if these are known: "stop damping (N s/m), contact.damping_ns_per_m"."""
+    words = label(key.replace(".", "_"))
+    if words == key.replace(".", "_"):
+        return key
+    return without_symbol(words) + f", {key}" * has_key
 
 
 def _keys(text):

@@ -20,7 +20,7 @@ LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
 FORCE_COLOURS = "RdBu_r"
 SAME, ORBIT, REGIME, MISSING = range(4)
 COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
-NAMES_OF_KINDS = ["same, no lasting force", "same regime, other z", "other regime", "not in both files"]
+NAMES_OF_KINDS = ["same label; no force compared: no impact, chaos", "same regime, other z", "other regime", "not in both files"]
 
 
 @style.using()
@@ -52,7 +52,7 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
 def _words(first, second, plane):
     """Below A's title: B's title, if different, the files, and the differing keys."""
     title = [second.title] if second.title != first.title else []
-    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second),
+    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second, has_keys=False),
             *filter(None, [plane.in_words])]
 
 

@@ -1,16 +1,19 @@
 """Boundaries of regimes: the curves of a window, alone, over the coarse map in which they were searched, or over another map.
 
 Folds are solid, period doublings dashed, grazings dotted; letters mark the special points, once for coinciding ones. The
-longest curves are labelled with z = p/q of the orbit on the stable side.
+longest curves are labelled with z = p/q of the orbit on the stable side, or no impact.
 """
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..files.regimes import NAMES, NO_IMPACT
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX
+from ..plotting.notes import write_at_group, write_on
 from ..plotting.picture import picture
+from ..plotting.seen import SEEN
 from .curves_file import CurvesFile, Lines, within
 from .map_file import PeterkaFile
 from .peterka_map import WIDTH, legend_entries
@@ -28,12 +31,8 @@ LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "pe
            "inflection": ("I", "grazing without acceleration")}
 COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
 MOST_NAMES = 24
-APART = 0.06  # of the picture, between two names or letters
 SAME_DOT = 0.012  # of the picture: dots closer than this would overlap
 TOGETHER = 0.05  # of the picture: special points that share their letters
-ASIDE = 0.028  # of the picture, between a point and its letters
-FARTHER = (1.0, 1.6, 2.4, 3.6)  # times that, where others are in the way
-AROUND = ((1, 1), (-1, 1), (1, -1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
 
 
 @picture(CurvesFile)
@@ -74,9 +73,10 @@ def _draw(file, lines, ax, over=None):
     axes.label_axes(ax, file)
     for curve in lines.curves:
         ax.plot(curve.columns, curve.rows, **_look(curve.kind, over_map))
-    taken = _write_names(ax, lines)
-    _write_letters(ax, lines, taken)
     axes.write_title(figure, file, "where regimes end", ax=ax)
+    groups, ways = _draw_dots(ax, lines), [_pixels(ax, curve.columns, curve.rows) for curve in lines.curves]
+    _write_names(ax, lines, ways)
+    _write_letters(ax, groups, ways)
     return ax
 
 
@@ -85,68 +85,49 @@ def _look(kind, over_map):
     return LOOKS[kind] | {"color": COLOURS[kind]} | effects
 
 
-def _in_picture(ax, x, y):
-    """Axes coordinates (..., 2), 0 to 1, of data values."""
-    return ax.transAxes.inverted().transform(ax.transData.transform(np.stack([x, y], axis=-1)))
+def _pixels(ax, x, y):
+    """Pixels (..., 2) of data values."""
+    return ax.transData.transform(np.stack([x, y], axis=-1))
 
 
-def _has_room(place, taken):
-    inside = np.all((place > 0.02) & (place < 0.98))
-    return inside and not _is_near(place, taken, APART)
+def _draw_dots(ax, lines):
+    """A dot at each special point; those that would overlap share one. Returns the groups of points that share their letters:
+    (points (n, 2) in pixels, kinds) each."""
+    size = np.array([ax.bbox.width, ax.bbox.height])
+    dots: list[np.ndarray] = []
+    groups: list[tuple[list[np.ndarray], set[str]]] = []
+    for special in lines.specials:
+        place = _pixels(ax, special.column, special.row)
+        if not any(_is_near(place, dot, SAME_DOT * size) for dot in dots):
+            dots.append(place)
+            ax.plot(special.column, special.row, marker=".", markersize=3, color="black", markeredgecolor="white", markeredgewidth=0.3,
+                    linestyle="none", gid=SEEN)
+        points, kinds = next((group for group in groups if _is_near(place, group[0][0], TOGETHER * size)), ([], set()))
+        if not points:
+            groups.append((points, kinds))
+        points.append(place)
+        kinds.add(special.kind)
+    return [(np.array(points), kinds) for points, kinds in groups]
 
 
-def _write_names(ax, lines):
-    """Writes z = p/q at the middle of the longest curves, where space permits; returns the occupied positions."""
-    taken = []
-    ways = [_in_picture(ax, curve.columns, curve.rows) for curve in lines.curves]
+def _is_near(place, other, distance):
+    return float(np.hypot(*((place - other) / distance))) < 1
+
+
+def _write_names(ax, lines, ways):
+    """Writes the motion's name on each of the longest curves, as near to its middle as it has room; `ways`: those of the curves."""
     lengths = [float(np.sum(np.hypot(*np.diff(way, axis=0).T))) for way in ways]
     for number in np.argsort(lengths, kind="stable")[::-1][:MOST_NAMES]:
-        curve, inside = lines.curves[number], ways[number][np.all((ways[number] > 0) & (ways[number] < 1), axis=1)]
-        if not len(inside):
-            continue
-        place = inside[len(inside) // 2]
-        if not _has_room(place, taken):
-            continue
-        taken.append(place)
-        ax.text(*place, f"{curve.impacts}/{curve.period}", transform=ax.transAxes, fontsize=6, ha="center",
-                va="center", color=COLOURS[curve.kind], path_effects=axes.outline(1.6))
-    return taken
+        curve = lines.curves[number]
+        write_on(ax, ways[number], name_of(curve.impacts, curve.period), 6, COLOURS[curve.kind])
 
 
-def _write_letters(ax, lines, taken):
-    """Draws a dot at each special point, with letters once per group of close points: on the side with the fewest lines, farther
-    away where none is free, and in any case somewhere, since the legend tells what they mean."""
-    ways = np.concatenate([_in_picture(ax, curve.columns, curve.rows) for curve in lines.curves])
-    places = [_in_picture(ax, special.column, special.row) for special in lines.specials]
-    dots, groups = [], []  # a group: its position, and the kinds of its points
-    for special, place in zip(lines.specials, places):
-        if not _is_near(place, dots, SAME_DOT):
-            dots.append(place)
-            ax.plot(*place, marker=".", markersize=3, color="black", markeredgecolor="white", markeredgewidth=0.3,
-                    linestyle="none", transform=ax.transAxes)
-        group = next((kinds for middle, kinds in groups if np.hypot(*(place - middle)) < TOGETHER), None)
-        if group is None:
-            groups.append((place, {special.kind}))
-        else:
-            group.add(special.kind)
-    for place, kinds in groups:
-        word = "".join(letter for kind, (letter, _) in LETTERS.items() if kind in kinds)
-        at = _place_of_letters(place, word, ways, taken)
-        taken.append(at)
-        ax.text(*at, word, transform=ax.transAxes, fontsize=6, weight="bold", ha="center", va="center",
-                path_effects=axes.outline(1.6))
+def _write_letters(ax, groups, ways):
+    """Writes letters once per group of close points: beside it on the side with the fewest lines, or farther away with a line to it."""
+    for points, kinds in groups:
+        write_at_group(ax, points, "".join(letter for kind, (letter, _) in LETTERS.items() if kind in kinds), 6, np.concatenate(ways))
 
 
-def _place_of_letters(place, word, ways, taken):
-    """Where the letters of a special point stand, in the picture."""
-    rings = [[place + away * ASIDE * np.array(side) * [1 + 0.3 * len(word), 1] for side in AROUND] for away in FARTHER]
-    for ring in rings:
-        free = [at for at in ring if _has_room(at, taken)]
-        if free:
-            return max(free, key=lambda at: np.min(np.hypot(*(ways - at).T)))
-    inside = [np.clip(at, 0.03, 0.97) for ring in rings for at in ring]
-    return max(inside, key=lambda at: min(np.hypot(*(at - other)) for other in taken))
-
-
-def _is_near(place, others, distance):
-    return any(np.hypot(*(place - other)) < distance for other in others)
+def name_of(impacts: int, period: int) -> str:
+    """An orbit of a curve in words: p/q, or no impact."""
+    return f"{impacts}/{period}" if impacts else NAMES[NO_IMPACT]

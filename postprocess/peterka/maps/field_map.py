@@ -16,7 +16,8 @@ from ..arrays import Integers, Mask
 from ..files.regimes import CHAOTIC, PERIODIC
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, classify
-from ..plotting.fills import Fill, grey
+from ..plotting.fills import Fill, fill, grey
+from ..plotting.limits import requested
 from ..plotting.notes import write_beside
 from ..plotting.seen import SEEN
 from ..measurements import marks
@@ -45,6 +46,8 @@ class Scale:
     factor: float
     text: Callable[[float], str]
     second: tuple[str, float] | None = None
+    in_si: tuple[str, float] | None = None  # base unit, and factor from stored numbers: of the limits of the scale
+    ratio: str = ""  # what stored numbers are over; empty if they are in that unit
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,7 @@ class Field:
     scale: Callable[[float], Scale]
     from_zero: bool = True  # the scale begins at 0; otherwise at the smallest value
     told: str = ""  # in the title, line by line
+    zero: str = ""  # what the legend says of cells whose value is 0, set apart from the scale; empty: they are on the scale
 
 
 def has_impacts(regime: Integers, *_: object) -> Mask:
@@ -73,11 +77,18 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     classes, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     carried = [entry.orbit == (1, 1) if not field.apart else entry.label not in field.apart for entry in CLASSES]
     legend = _legend_entries(counts, carried, field.apart, lacking) + marks.handles(measured.points)
+    has_zero = bool(field.zero and peak.value > 0 and np.any(values.image == 0))
+    if has_zero:
+        legend.insert(0, axes.legend_patch(field.zero, without_value(OTHER_COLOUR)))
     figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
     scale = _in_units(field.scale(peak.value))
     shown = np.ma.masked_invalid(values.image) * scale.factor
-    norm = _norm(shown, peak.value * scale.factor, field.from_zero)
+    limits = requested(file, shown.compressed() / scale.factor, scale.in_si, scale.ratio)
+    norm = _norm(shown, peak.value * scale.factor, field.from_zero, limits and [limit * scale.factor for limit in limits])
+    if has_zero:
+        _show_apart(ax, values, shown == 0)
+        shown = np.ma.masked_equal(shown, 0)
     mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
     _draw_bar(figure, bar_ax, mesh, scale, (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
@@ -89,6 +100,12 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
         _mark(ax, file, peak, scale.text(peak.value))
     marks.name_over_map(ax, file, measured.points)
     return ax
+
+
+def _show_apart(ax, values, cells):
+    """Draws these cells of an image in the look of those without a value."""
+    ax.pcolormesh(values.column_edges, values.row_edges, np.ma.masked_where(~np.ma.filled(cells, False), np.zeros(cells.shape)),
+                  cmap=ListedColormap([fill(without_value(OTHER_COLOUR)).colour]), rasterized=True)
 
 
 def _colours_beneath(carried, apart):
@@ -133,14 +150,17 @@ def _in_units(scale):
     """The scale in SI units alone or in ratios alone, if requested."""
     if scale.second is None or style.current().units == "both":
         return scale
-    return replace(scale, second=None) if style.current().units == "ratio" else Scale(*scale.second, scale.text)
+    if style.current().units == "ratio":
+        return replace(scale, second=None)
+    label, factor = scale.second
+    return replace(scale, label=label, factor=factor, second=None)
 
 
-def _norm(shown, peak, from_zero):
-    """Limits of the displayed values."""
+def _norm(shown, peak, from_zero, limits):
+    """Limits of the displayed values; `limits`: those requested."""
     positive = shown[shown > 0]
     logarithmic = style.current().log and positive.count() > 0
-    low, high = style.current().limits or (None, None)
+    low, high = limits or (None, None)
     if high is None:
         low, high = 0.0 if from_zero else float(np.percentile(shown.compressed(), LOW_SHARE)), _top_of_scale(shown.compressed(), peak)
         low = float(positive.min()) if logarithmic else low

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from ..files.regimes import PERIODIC
 from ..plotting import style, units
 from ..plotting.coordinates import either
+from ..plotting.limits import WEIGHTS
 from ..plotting.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import field_map
@@ -38,9 +39,9 @@ def _draw(file, ax, carries, what, apart, measured):
     def scale(largest):
         label = f"peak force $F/(m\\,g)$, {what}"
         if not newtons:
-            return Scale(label, 1, text)
+            return Scale(label, 1, text, ratio=WEIGHTS)
         factor, unit = units.with_prefix(largest * newtons, "N")
         alone = f", {what}" if style.current().units == "si" else ""
-        return Scale(label, 1, text, (f"peak force ({unit}){alone}", newtons * factor))
+        return Scale(label, 1, text, (f"peak force ({unit}){alone}", newtons * factor), ("N", newtons), WEIGHTS)
 
     return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale), ax, measured)

@@ -14,6 +14,7 @@ from ..files.coordinates import unit_of
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import style, units
 from ..plotting.coordinates import either
+from ..plotting.limits import WEIGHTS
 from ..plotting.picture import picture
 from . import field_map
 from .field_map import WITHOUT_IMPACTS, Field, Scale
@@ -72,17 +73,20 @@ def _scale(file, number, largest):
         return Scale(number.label, 1, units.number)
     label = f"{number.label} largest force, $F/(m\\,g)$"
     if not file.newtons:
-        return Scale(label, 1, units.number)
+        return Scale(label, 1, units.number, ratio=WEIGHTS)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     return Scale(label, 1, lambda force: either(file, units.amount(force * file.newtons, "N"), units.number(force)),
-                 (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", file.newtons * factor))
+                 (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", file.newtons * factor),
+                 ("N", file.newtons), WEIGHTS)
 
 
 def _scale_of_coordinate(file, number):
     name, words, unit, factor = number.in_si
     own = unit_of(file, name)
+    ratio = {"displacement_ratio": "A0", "velocity_ratio": "A0 omega"}[name]
     if own is None:
-        return Scale(number.label, 1, units.number)
+        return Scale(number.label, 1, units.number, ratio=ratio)
+    base = {"mm": "m"}.get(unit, unit), own
     factor *= own
     return Scale(number.label, 1, lambda value: either(file, f"{units.number(factor * value)} {unit}", units.number(value)),
-                 (f"{words} ({unit})", factor))
+                 (f"{words} ({unit})", factor), base, ratio)

@@ -19,7 +19,7 @@ from ..files.harmless import harmless
 from ..files.job_numbers import UnreadableJob, number_of, tables_of
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, PERIODIC
-from ..plotting.coordinates import label
+from ..plotting.coordinates import label, without_symbol
 
 OUTCOMES = {"outcome_regime": INTEGER, "outcome_impacts": INTEGER, "outcome_period": INTEGER, "outcome_probability": REAL}
 QUANTILES = (5, 50, 95)  # %
@@ -121,7 +121,7 @@ def _spread(path, spread):
     """Of one number: "stop stiffness ±3 %", a standard deviation, or from where to where it lies."""
     table, _, key = path.rpartition(".")
     name = key if table in ("", "operating_point") else f"{table}_{key}"
-    words, _, unit = re.sub(r" ?\$[^$]*\$", "", label(name)).partition(" (")
+    words, _, unit = without_symbol(label(name)).partition(" (")
     factor, unit = UNITS.get(name, (1.0, unit.rstrip(")")))
     if table == "operating_point":
         words = "offset of " + {"gap_m": "gap", "frequency_hz": "frequency"}.get(key, key)

@@ -13,11 +13,14 @@ from contourpy import contour_generator
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.transforms import Bbox
 
 from ..arrays import Integers
 from ..files.job_numbers import UnreadableJob, edge_of_no_impact, swing_of, tables_of
-from ..plotting import axes
+from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX
+from ..plotting.fills import fill
+from ..plotting.notes import write_near_box
 from ..plotting.picture import picture
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
@@ -25,6 +28,7 @@ from .map_file import PeterkaFile
 from .reduce import class_picture, orbit_picture
 
 WIDTH = 3.7  # in
+SMALL, MOST_SMALL, AWAY = 0.012, 8, 14  # smallest window of the picture in which a small area is named, how many are, and how far away [pt]
 LINE_POINTS = 2000
 CONTOUR_POINTS = 600  # along each axis
 DOTS = 48  # along a side
@@ -56,7 +60,25 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax=ax)
     marks.name_over_map(ax, file, measured.points)
+    if style.is_grey():
+        _name_small_areas(ax, reduced, counts)
     return ax
+
+
+def _name_small_areas(ax, reduced, counts):
+    """Names the areas of hatched classes that are too small for a name within, where no hatching would be legible: beside them, with a
+    line to each, the commonest first."""
+    written = {text.get_text() for text in ax.texts}
+    waiting = [n for n in np.argsort(-counts, kind="stable") if counts[n] and CLASSES[n].orbit and fill(CLASSES[n].colour).hatch
+               and CLASSES[n].label not in written]
+    for n in waiting[:MOST_SMALL]:
+        window = axes.largest_window(reduced.image == n, np.zeros(reduced.image.shape, dtype=bool), SMALL, 0.9)
+        if window is None:
+            continue
+        (left, right), (low, high) = window
+        middle = ax.transData.transform([(reduced.column_edges[left] + reduced.column_edges[right]) / 2,
+                                         (reduced.row_edges[low] + reduced.row_edges[high]) / 2])
+        write_near_box(ax, Bbox([middle - 1, middle + 1]), CLASSES[n].label, (6.5, 5), AWAY)
 
 
 def _names_to_write(counts):

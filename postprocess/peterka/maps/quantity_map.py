@@ -42,4 +42,4 @@ def _known(regime, *_):
 def _scale(file, name, largest):
     factor, unit = units.with_prefix(largest, file.unit(name))
     title = TITLES.get(name) or file.words(name)
-    return Scale(f"{title} ({unit})", factor, lambda value: units.amount(value, file.unit(name)))
+    return Scale(f"{title} ({unit})", factor, lambda value: units.amount(value, file.unit(name)), in_si=(file.unit(name), 1.0))

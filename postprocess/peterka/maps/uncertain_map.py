@@ -19,9 +19,10 @@ from scipy.ndimage import maximum_filter, minimum_filter
 from ..arrays import Integers, Mask
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, SUSTAINED_CONTACT, UNRESOLVED
 from ..plotting import axes, style, units
-from ..plotting.classes import CLASSES, INDEX, classify
+from ..plotting.classes import CLASSES, INDEX, Class, classify
 from ..plotting.coordinates import either
 from ..plotting.fills import Fill, fill, paler
+from ..plotting.limits import WEIGHTS
 from ..plotting.picture import picture
 from ..sampling import draws_needed
 from . import field_map
@@ -37,6 +38,7 @@ LEVELS = ((0.95, 0.0), (0.75, 0.3), (0.5, 0.55), (0.0, 0.75))  # probability fro
 LABELS = ["outcome_regime", "outcome_impacts", "outcome_period", "outcome_probability"]
 IMPACTS = "impacts"
 WITHOUT_IMPACTS = (NO_IMPACT, SUSTAINED_CONTACT, UNRESOLVED, FAILED)  # kinds of outcomes
+TICKS, TICK, TICKS_APART = "towards the likelier side", 0.018, 0.07  # gid; length and distance, of the picture
 SPECK = 2.0  # cells: lines around less, as around one alone, are left out
 ASSURED = 5  # %: of the quantile that all but so many draws reach
 _COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # requested once for each of PROBABILITIES
@@ -71,7 +73,8 @@ def draw_force(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     draws, name = draws_of(file), quantiles(file.data)[ASSURED]
     needed = draws_needed(1 - ASSURED / 100)
     few = [f"{draws.count} draws are too few to assure it: {needed} could"] if draws.count < needed else []
-    field = Field(name, _is_computed, ("failed",), lambda largest: _scale(file, name, largest), told=_told(file, draws, few, place=False))
+    field = Field(name, _is_computed, ("failed",), lambda largest: _scale(file, name, largest), told=_told(file, draws, few, place=False),
+                  zero=f"0: more than {ASSURED} % of the rigs don't impact")
     return field_map.draw(file, field, ax)
 
 
@@ -86,16 +89,16 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     orbits: list[Artist] = []
     others: list[Artist] = []
     for n in np.flatnonzero(counts):
-        entry = axes.legend_patch(f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})", CLASSES[n].colour,
+        entry = axes.legend_patch(f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})", _look_of(CLASSES[n]),
                                   n == INDEX["not computed yet"])
         (orbits if CLASSES[n].orbit or n == INDEX["other p/q"] else others).append(entry)
     legends = [(orbits, 3, f"commonest outcome (share of the {file.whole})"), (others, 2, None),
-               (_level_handles(counts), 4, None if style.is_grey() else "its probability"), (_line_handles(levels), 3, None)]
+               (_level_handles(counts), 4, None if style.is_grey() else "its probability"), (_line_handles(levels, "ticks point to where it is likelier"), 1, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     shown, colours = _with_levels(reduced, likely)
     axes.show_classes(ax, shown, colours, INDEX["not computed yet"])
     axes.label_axes(ax, file)
-    _draw_lines(ax, likely, levels)
+    _draw_lines(ax, likely, levels, has_ticks=True)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, _told(file, draws, untold), ax)
     axes.name_areas(ax, _beside_lines(reduced, likely, levels), {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
@@ -183,14 +186,21 @@ def _is_computed(regime: Integers, *_: object) -> Mask:
 def _scale(file, name, largest):
     if name.startswith("speed"):
         factor, unit = units.with_prefix(largest, "m/s")
-        return Scale(f"impact speed of all but {ASSURED} % of the rigs ({unit})", factor, lambda speed: units.amount(speed, "m/s"))
+        return Scale(f"impact speed of all but {ASSURED} % of the rigs ({unit})", factor, lambda speed: units.amount(speed, "m/s"),
+                     in_si=("m/s", 1.0))
     label = f"peak force of all but {ASSURED} % of the rigs, $F/(m\\,g)$"
     if not file.newtons:
-        return Scale(label, 1, units.number)
+        return Scale(label, 1, units.number, ratio=WEIGHTS)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     alone = style.current().units == "si"
     return Scale(label, 1, lambda force: either(file, units.amount(force * file.newtons, "N"), units.number(force)),
-                 (f"peak force of all but {ASSURED} % of the rigs ({unit})" if alone else f"peak force ({unit})", file.newtons * factor))
+                 (f"peak force of all but {ASSURED} % of the rigs ({unit})" if alone else f"peak force ({unit})", file.newtons * factor),
+                 ("N", file.newtons), WEIGHTS)
+
+
+def _look_of(entry: Class) -> str | Fill:
+    """The look of a class: unresolved cells are hatched, for their grey is that of chaos where this is less likely."""
+    return Fill(entry.colour, "//") if entry.label == "unresolved" and not style.is_grey() else entry.colour
 
 
 def _with_levels(reduced: Reduced, likely: Reduced) -> tuple[Reduced, list[str | Fill]]:
@@ -201,7 +211,7 @@ def _with_levels(reduced: Reduced, likely: Reduced) -> tuple[Reduced, list[str |
     level = np.argmax([np.nan_to_num(likely.image) >= least - 1e-9 for least, _ in LEVELS], axis=0)
     level[reduced.image == INDEX["not computed yet"]] = 0
     image = reduced.image.astype(np.int16) + level.astype(np.int16) * len(CLASSES)
-    return replace(reduced, image=image), [paler(entry.colour, white) for _, white in LEVELS for entry in CLASSES]
+    return replace(reduced, image=image), [paler(_look_of(entry), white) for _, white in LEVELS for entry in CLASSES]
 
 
 def _beside_lines(reduced, likely, levels):
@@ -214,6 +224,32 @@ def _beside_lines(reduced, likely, levels):
     return replace(reduced, image=np.where(near, INDEX["not computed yet"], reduced.image))
 
 
+def _draw_ticks(ax, reduced, line):
+    """Ticks along a line, towards the side on which the image is larger."""
+    within = ax.transScale + ax.transLimits
+    places = within.transform(line)
+    way = np.append(0, np.cumsum(np.hypot(*np.diff(places, axis=0).T)))
+    for along in np.arange(TICKS_APART / 2, way[-1], TICKS_APART):
+        ahead = np.array([np.interp([along - TICK, along + TICK], way, one) for one in places.T])
+        own, (dx, dy) = np.array([np.interp(along, way, one) for one in places.T]), np.diff(ahead, axis=1)[:, 0]
+        if not np.hypot(dx, dy) > 0:
+            continue
+        aside = TICK * np.array([-dy, dx]) / np.hypot(dx, dy)
+        ends = [own + aside, own - aside]
+        values = [_value_at(reduced, within.inverted().transform(end)) for end in ends]
+        if np.isfinite(values).all() and values[0] != values[1]:
+            ax.plot(*np.array([own, ends[int(np.argmax(values))]]).T, transform=ax.transAxes, color="black", linewidth=0.8, zorder=3.1,
+                    path_effects=axes.outline(1.6), gid=TICKS)
+
+
+def _value_at(reduced, place):
+    """The image at a place (column, row) in data; NaN beyond it."""
+    row, column = (int(np.searchsorted(edges, value, side="right")) - 1
+                   for edges, value in ((reduced.row_edges, place[1]), (reduced.column_edges, place[0])))
+    rows, columns = reduced.image.shape
+    return float(reduced.image[row, column]) if 0 <= row < rows and 0 <= column < columns else np.nan
+
+
 def _level_handles(counts):
     """Of the commonest class that has a colour."""
     if style.is_grey():
@@ -224,15 +260,16 @@ def _level_handles(counts):
     return [axes.legend_patch(text, paler(CLASSES[coloured[0]].colour, white)) for text, (_, white) in zip(words, LEVELS)]
 
 
-def _line_handles(levels):
-    return [Line2D([], [], label=f"probability {level:g}", **_look(level)) for level in levels]
+def _line_handles(levels, more=""):
+    return [Line2D([], [], label=", ".join(filter(None, [f"probability {level:g}", more])), **_look(level)) for level in levels]
 
 
 def _look(level):
     return {"color": "black", "linewidth": 0.9, "linestyle": LINES[level]}
 
 
-def _draw_lines(ax, reduced, levels):
+def _draw_lines(ax, reduced, levels, has_ticks=False):
+    """`has_ticks`: whether lines have short ticks towards the side of the larger probability."""
     if min(reduced.image.shape) < 2:
         return
     x, y = (np.sqrt(edges[1:] * edges[:-1]) if log else (edges[1:] + edges[:-1]) / 2
@@ -245,4 +282,6 @@ def _draw_lines(ax, reduced, levels):
             if np.all(np.ptp(line, axis=0) < SPECK * cell):
                 continue
             ax.plot(*line.T, path_effects=axes.outline(1.8), zorder=3, **_look(level))
+            if has_ticks:
+                _draw_ticks(ax, reduced, line)
     ax.set(xlim=limits[0], ylim=limits[1])

@@ -2,7 +2,8 @@
 which it was chosen.
 
 The program draws many more rigs, each at a place of its own within the drift, evenly in Hz and mm, for the one place: so drift, starts
-and rigs vary together. The draws of a low-discrepancy sequence begin with those of the map; all others are new.
+and rigs vary together. A coordinate that the job has uncertain itself keeps that: there the rigs are drawn at each of several places from end
+to end of the drift, and the worst of these counts. The draws of a low-discrepancy sequence begin with those of the map; all others are new.
 """
 
 import math
@@ -22,6 +23,7 @@ from .risk import KEPT, assured
 from .verify import ROUNDING, NotVerified, axis_paths, compute, finer
 
 TIMES, FEWEST, MOST = 16, 1024, 10_000  # draws, times those of the map; at least and at most
+PLACES = 5  # from end to end of a drift
 SI = {"Hz": ("frequency_hz", 1.0), "mm": ("gap_m", 1e-3)}  # of a drift: key of the job, and its unit
 
 
@@ -42,9 +44,9 @@ def draw_afresh(file: PeterkaFile, place: Place, drift: tuple[float, float], ris
     before = draws_of(file).count
     rigs = min(MOST, max(FEWEST, TIMES * before))
     paths = axis_paths(file, file.data.attribute("job"))
-    sizes = {paths[name]: finer(axis, 0.0, at) for name, axis, at in
+    offsets, drifts, widths = _offsets(file, drift)
+    sizes = {paths[name]: _along(axis, widths.get(axis.name, 0.0), at) for name, axis, at in
              (("columns", file.columns, place.column), ("rows", file.rows, place.row))}
-    offsets, drifts = _offsets(file, drift)
     box = compute(file, sizes, {"uncertainty.rigs": rigs, **offsets}, folder / f"{file.path.stem}_draws", ranks, binary)
     with PeterkaFile(box) as found:
         name = quantiles(found.data)[KEPT[risk]]
@@ -72,8 +74,9 @@ def _uncertain_of_place(file):
 
 
 def _offsets(file, drift):
-    """{key of the job: end of an offset} of a drift along the axes in Hz and mm, and its words."""
-    own, changes, words = _uncertain_of_place(file), {}, []
+    """{key of the job: end of an offset} of a drift along the axes in Hz and mm, its words, and {axis: half-width in its own numbers} of
+    those that are uncertain in the job."""
+    own, changes, words, widths = _uncertain_of_place(file), {}, [], {}
     for axis in (file.columns, file.rows):
         unit = unit_of(file, axis.name)
         if unit is None:
@@ -81,8 +84,17 @@ def _offsets(file, drift):
         width = dict(zip(SI, drift))[unit.unit]
         key, factor = SI[unit.unit]
         if key.partition("_")[0] in own:
-            words.append(f"{unit.what} as uncertain as the job has it, without drift")
+            widths[axis.name] = width / unit.factor
+            words.append(f"{unit.what} as uncertain as the job has it" + (
+                f", around the worst of {PLACES} places within ±{width:g} {unit.unit}" if width > 0 else ""))
         elif width > 0:
             changes |= {f"uncertainty.operating_point.{key}.from": -width * factor, f"uncertainty.operating_point.{key}.to": width * factor}
             words.append(f"{unit.what} within ±{width:g} {unit.unit}")
-    return changes, f"at places of their own ({', '.join(words)})" if words else "at this place"
+    return changes, f"at places of their own ({', '.join(words)})" if words else "at this place", widths
+
+
+def _along(axis, width, at):
+    """(from, to, points) along an axis, in the numbers of the job: PLACES of them over a width, otherwise the place alone."""
+    if not width > 0:
+        return finer(axis, 0.0, at)
+    return (axis.values[at] - width) * axis.unit, (axis.values[at] + width) * axis.unit, PLACES

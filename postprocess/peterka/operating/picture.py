@@ -17,6 +17,7 @@ from .drift import Reach
 from .places import Place
 
 WIDTH = 3.7  # in
+INSIDE = 2  # pixels, between a number and the sides of its box, in all
 COLOURS, NOTHING = "viridis", "#F2F2F2"
 
 
@@ -57,18 +58,28 @@ def _show_computed(ax, file, block):
 def _mark(ax, file, places, rows, columns, quantity):
     boxes = []
     for number, place in reversed(list(enumerate(places, 1))):
-        x, y = file.columns.values[place.column], file.rows.values[place.row]
         (left, right), (low, high) = columns.ends(file.columns.values, place.column), rows.ends(file.rows.values, place.row)
         box = Rectangle((left, low), right - left, high - low, fill=False, zorder=5, edgecolor="black",
                         linewidth=1.0 if number == 1 else 0.5, path_effects=axes.outline(2))
+        box.set_gid(SEEN)
+        boxes.append(ax.add_patch(box).get_window_extent())
         if number > 1:
-            box.set_gid(SEEN)
-        ax.add_patch(box)
-        boxes.append(box)
-        if number > 1:
-            ax.text(x, y, str(number), ha="center", va="center", fontsize=6.5, path_effects=axes.outline(1.6), zorder=6,
-                    clip_on=True)
+            _number_within(ax, boxes[-1], str(number))
     best = places[0]
     x, y = file.columns.values[best.column], file.rows.values[best.row]
     ax.plot(x, y, marker="x", markersize=4, markeredgewidth=1.1, color="black", path_effects=axes.outline(2.4), zorder=7)
-    write_near_box(ax, boxes[-1].get_window_extent(), f"{best.z}, {units.amount(quantity.factor * best.worst, quantity.unit)}")
+    write_near_box(ax, boxes[-1], f"{best.z}, {units.amount(quantity.factor * best.worst, quantity.unit)}")
+    written = {text.get_text() for text in ax.texts}
+    for number, extent in enumerate(reversed(boxes), 1):  # numbers that are larger than their box
+        if number > 1 and str(number) not in written:
+            write_near_box(ax, extent, str(number), (6.5, 5))
+
+
+def _number_within(ax, box, number):
+    """Writes a number into its box where it is smaller than that."""
+    middle = ax.transAxes.inverted().transform((box.min + box.max) / 2)
+    text = ax.text(*middle, number, transform=ax.transAxes, ha="center", va="center", fontsize=6.5, path_effects=axes.outline(1.6), zorder=6,
+                   clip_on=True)
+    own = text.get_window_extent()
+    if own.width > box.width - INSIDE or own.height > box.height - INSIDE:
+        text.remove()

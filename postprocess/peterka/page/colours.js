@@ -148,10 +148,10 @@ function regimeEntries(counts) {
   return part > 0 ? [{ label: "periodic", colour: PERIODIC_COLOUR, share: part }, ...others] : others;
 }
 
-// 0 % and 100 % only if exact.
+// 0 % and 100 % only if exact; otherwise rounded as in the program's summary.
 function percent(part) {
   const value = 100 * part;
-  if (value > 0 && value < 0.1) return "< 0.1 %";
-  if (value > 99.9 && value < 100) return "> 99.9 %";
-  return `${value.toFixed(1)} %`;
+  const text = `${value.toFixed(1)} %`;
+  if (value > 0 && text === "0.0 %") return "< 0.05 %";
+  return value < 100 && text === "100.0 %" ? "> 99.95 %" : text;
 }

@@ -14,6 +14,7 @@ from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.patheffects import AbstractPathEffect
 from matplotlib.ticker import NullFormatter, NullLocator
 
+from ..arrays import Mask
 from ..files.coordinates import TWINS, unit_of
 from . import seen, style
 from .coordinates import IN_MILLIMETRES, label
@@ -111,13 +112,13 @@ def hatch_background(ax: Axes) -> None:
 
 
 def percent(share: float) -> str:
-    """A share 0..1 for a legend; neither 0 % nor 100 % unless it is exactly that."""
+    """A share 0..1 for a legend, rounded as in the program's summary; where that is neither 0 % nor 100 %, but would read so, it is
+    told as below or above the rounding."""
     value = 100 * share
-    if 0 < value < 0.1:
-        return "< 0.1 %"
-    if 99.9 < value < 100:
-        return "> 99.9 %"
-    return f"{value:.1f} %"
+    text = f"{value:.1f} %"
+    if value > 0 and text == "0.0 %":
+        return "< 0.05 %"
+    return "> 99.95 %" if value < 100 and text == "100.0 %" else text
 
 
 def operating_point(file: AtPoint) -> str:
@@ -175,7 +176,7 @@ def name_areas(ax: Axes, reduced: Image, names: Mapping[int, tuple[str, str | Fi
     marked = _marked(ax, reduced)
     for number, (text, colour) in names.items():
         colour = fill(colour).colour
-        window = _largest_window(reduced.image == number, marked, LETTER_SHARE * len(text))
+        window = largest_window(reduced.image == number, marked, LETTER_SHARE * len(text))
         if window is not None:
             (left, right), (low, high) = window
             xs, ys = reduced.column_edges[[left, right]], reduced.row_edges[[low, high]]
@@ -201,7 +202,7 @@ def _marked(ax, reduced):
     return cells
 
 
-def _largest_window(mask, marked, smallest, purity=0.97):
+def largest_window(mask: Mask, marked: Mask, smallest: float, purity: float = 0.97) -> tuple[tuple[int, int], tuple[int, int]] | None:
     """The largest window, with the proportions of the whole, in which the share `purity` is True and no cell is `marked`.
 
     Returns its edges ((left, right), (low, high)) in cells; None if it is below `smallest` of the whole's sides."""

@@ -1,5 +1,6 @@
 """What axes are called: the words and units of everything over which a map or a sweep may run, and places on them in words."""
 
+import re
 from typing import Protocol
 
 from ..files.coordinates import TWINS, Measured, Named, Scales, leads_in_si, measured
@@ -41,6 +42,11 @@ IN_MILLIMETRES = {"gap_m": "gap (mm)", "cart_amplitude_m": "cart amplitude $A_0$
 def label(name: str) -> str:
     """The label; an unknown name is used itself, without characters that a picture would interpret as mathematics."""
     return LABELS.get(name) or name.replace("$", "").replace("\\", "")
+
+
+def without_symbol(words: str) -> str:
+    """A label without its symbol: "stop damping (N s/m)"."""
+    return re.sub(r" ?\$[^$]*\$", "", words)
 
 
 def spoken(file: Scales, name: str) -> Measured | None:

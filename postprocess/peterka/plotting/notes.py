@@ -4,6 +4,7 @@ otherwise farther away, with a line to its point. Without any free space it is o
 A label of one of several points never goes far: it stays nearer to its own point than to any other. Nor does that of a box,
 which it never covers."""
 
+from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
@@ -12,15 +13,21 @@ from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
 
+from ..arrays import Reals
 from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
-NEAR = (5, 9, 14, 20)  # pt: of a label from its point; with a line beyond LINED
-LINED = 9
+NEAR = (5, 9, 14, 20)  # pt: of a label from its point; with a line beyond LINED, from a box beyond LINED_BOX
+LINED, LINED_BOX = 9, 4
+CLEAR = 5  # pt: by which the label of a box without a line to it is nearer to that box than to any other
+BESIDE = (3, *NEAR, 28, 38, 50, 65)  # pt: of the label of several marks that share one
 ROUND = [(across, up) for across in (1, -1, 0) for up in (0, 1, -1) if (across, up) != (0, 0)]
 AIR = 2  # pixels
+APART, LETTER_APART = 5, 1.2  # pt: at least, between a line's name or the letters of marks and any other text or mark
 FRAME = 0.5  # of the font size
+TURNS = 24  # directions in which a place around a box is sought
+TO_MARK, STEPS = "a line from a note to its mark", 60  # its gid, and points by which it is told whether it crosses something
 PLACES = np.linspace(0.03, 0.97, 5)  # in the axes, tried if nothing fits beside the point
 MORE_PLACES = np.linspace(0.02, 0.98, 21)  # for small text
 
@@ -70,29 +77,103 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     return False
 
 
-def write_near_box(ax: Axes, box: Bbox, text: str) -> bool:
-    """Writes the label of a box of the picture [pixels], after the layout is computed: beside it, over no other text, and over
-    no other mark where there is room; smaller, or up to 30 pt away with a line to it, where it has to. Returns whether it fits."""
+def write_at_group(ax: Axes, points: Reals, text: str, size: float, lines: Reals) -> bool:
+    """Writes the label of marks that share one, (n, 2) [pixels], after all marks are drawn: near to one of these, on the side farthest
+    from `lines`, (m, 2) [pixels], nearer to them than to other marks, or farther away with a line to one. Returns whether it fits."""
     pixels = ax.get_figure().dpi / 72
-    texts = _taken(ax, [box.extents])
+    marks = seen.boxes(ax)
+    taken, others = _taken(ax, marks), (marks[:, :2] + marks[:, 2:]) / 2
+    others = others[np.min(np.linalg.norm(others[:, None] - points, axis=2), axis=1, initial=np.inf) > AIR]
+    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, weight="bold", ha="left", va="bottom", path_effects=outline(1.6),
+                   zorder=7)
+    for letters in (size, 5):
+        note.set_fontsize(letters)
+        box = np.array([_box(note).width, _box(note).height])
+        for away in BESIDE:
+            free = []
+            for own, (across, up) in product(points, ROUND):
+                place = own + pixels * away * np.array([across, up]) / np.hypot(across, up)
+                low = place - box * (1 - np.array([across, up])) / 2
+                moved = Bbox([low, low + box])
+                if _fits(moved.padded(pixels * LETTER_APART), ax, taken) and (away > LINED or _is_nearest(moved, points, others)):
+                    free.append((float(np.min(np.linalg.norm(lines - (low + box / 2), axis=1), initial=np.inf)), own, moved))
+            if free:
+                _, own, moved = max(free, key=lambda each: each[0])
+                note.set_position(ax.transAxes.inverted().transform(moved.min))
+                if away > LINED:
+                    _draw_line(ax, own, moved)
+                return True
+    note.remove()
+    return False
+
+
+def write_on(ax: Axes, way: Reals, text: str, size: float, colour: str) -> bool:
+    """Writes the name of a line, (n, 2) [pixels], on it, as near to its middle as it meets no other text and no mark. Returns whether
+    it fits."""
+    pixels, taken = ax.get_figure().dpi / 72, _taken(ax, seen.boxes(ax))
+    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, ha="left", va="bottom", color=colour, path_effects=outline(1.6))
+    box = np.array([_box(note).width, _box(note).height])
+    inside = way[np.all((way > ax.bbox.min) & (way < ax.bbox.max), axis=1)]
+    for at in sorted(range(len(inside)), key=lambda at: abs(at - len(inside) // 2)):
+        low = inside[at] - box / 2
+        if _fits(Bbox([low, low + box]).padded(pixels * APART), ax, taken):
+            note.set_position(ax.transAxes.inverted().transform(low))
+            return True
+    note.remove()
+    return False
+
+
+def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 6.5, 5), nearest: float = 0) -> bool:
+    """Writes the label of a box of the picture [pixels], after the layout is computed: beside it, over no other text, and over
+    no other mark where there is room; smaller, or up to 65 pt away with a line to it, which crosses none of these, where it has to.
+    `nearest`: not nearer than so many pt. Returns whether it fits."""
+    pixels = ax.get_figure().dpi / 72
+    texts, lines = _taken(ax, [box.extents]), _lines_to_marks(ax)
     note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(2.4), zorder=7)
-    for taken in (np.concatenate([texts, seen.boxes(ax)]), texts):
-        for letters in (8, 6.5, 5):
+    marks = np.array([mark for mark in seen.boxes(ax) if not np.allclose(mark, box.extents, atol=AIR)]).reshape(-1, 4)
+    for taken in (np.concatenate([texts, marks]), texts):
+        for letters in sizes:
             note.set_fontsize(letters)
             size = _box(note)
-            for away in (3, *NEAR, 30):
+            for away in (each for each in BESIDE if each >= nearest):
                 for moved in _around(box, size.width, size.height, pixels * away, ax.bbox):
-                    if _fits(moved, ax, taken):
+                    own = np.clip(moved.min + [size.width / 2, size.height / 2], box.min, box.max)
+                    line = np.linspace(own, np.clip(own, moved.min, moved.max), STEPS)[STEPS * (away <= LINED_BOX):]
+                    bad = _crosses(line[2:], taken[1:], lines) if len(line) else _away(marks, moved).min(initial=np.inf) < pixels * CLEAR + (
+                        _away(box.extents[None], moved)[0])
+                    if not bad and _fits(moved, ax, taken) and not _meets(lines, moved):
                         note.set_position(ax.transAxes.inverted().transform(moved.min))
-                        if away > LINED:
-                            _draw_line(ax, np.clip(moved.min + [size.width / 2, size.height / 2], box.min, box.max), moved)
+                        if len(line):
+                            _draw_line(ax, own, moved)
                         return True
     note.remove()
     return False
 
 
+def _lines_to_marks(ax):
+    """Points of the lines from notes to their marks [pixels], (n, 2)."""
+    ends = [ax.transData.transform(line.get_xydata()) for line in ax.lines if line.get_gid() == TO_MARK]
+    return np.concatenate([np.zeros((0, 2)), *(np.linspace(*pair, STEPS) for pair in ends)])
+
+
+def _away(boxes, box):
+    """Distances of boxes, a row [left, bottom, right, top] each, from a box."""
+    return np.linalg.norm(np.maximum(0, np.maximum(boxes[:, :2] - box.max, box.min - boxes[:, 2:])), axis=1)
+
+
+def _meets(points, box):
+    return bool(np.any(np.all((points >= box.min - AIR) & (points <= box.max + AIR), axis=1)))
+
+
+def _crosses(line, boxes, others):
+    """Whether a line, as points, meets one of these boxes or other lines."""
+    near = len(others) and np.min(np.linalg.norm(line[:, None] - others, axis=2)) < AIR
+    return bool(near) or any(_meets(line, Bbox(box.reshape(2, 2))) for box in boxes)
+
+
 def _around(box, width, height, away, inside):
-    """Places of this size at a distance from a box: above, below and at its sides, as far as the picture has room there."""
+    """Places of this size at a distance from a box: above, below and at its sides, as far as the picture has room there, and all
+    around it."""
     def along(low, high, length, first, last):
         return min(max((low + high - length) / 2, first + AIR), last - AIR - length)
 
@@ -101,6 +182,10 @@ def _around(box, width, height, away, inside):
     right, left, above, below = box.x1 + away, box.x0 - away - width, box.y1 + away, box.y0 - away - height
     for low in ((right, y), (left, y), (x, above), (x, below), (right, above), (right, below), (left, above), (left, below)):
         yield Bbox([low, (low[0] + width, low[1] + height)])
+    for turn in np.linspace(0, 2 * np.pi, TURNS, endpoint=False):
+        side = np.array([np.cos(turn), np.sin(turn)])
+        low = (box.min + box.max) / 2 + side * (np.array([box.width + width, box.height + height]) / 2 + away) - np.array([width, height]) / 2
+        yield Bbox([low, low + [width, height]])
 
 
 def _taken(ax, marks):
@@ -115,15 +200,15 @@ def _fits(box, ax, taken):
 
 
 def _is_nearest(box, own, others):
-    """Whether a box is nearer to its own point than to any other."""
-    away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (own[None], others)]
-    return away[0][0] < min(away[1], default=np.inf)
+    """Whether a box is nearer to its own point, or to one of them, than to any other."""
+    away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (np.atleast_2d(own), others)]
+    return min(away[0]) < min(away[1], default=np.inf)
 
 
 def _draw_line(ax, own, box):
     ends = ax.transData.inverted().transform([own, np.clip(own, box.min, box.max)])
     limits = ax.get_xlim(), ax.get_ylim()
-    ax.plot(*ends.T, color="black", linewidth=0.6, zorder=5.9)
+    ax.plot(*ends.T, color="black", linewidth=0.6, zorder=5.9, gid=TO_MARK)
     ax.set(xlim=limits[0], ylim=limits[1])
 
 

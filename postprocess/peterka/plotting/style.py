@@ -32,7 +32,8 @@ RC = {
 @dataclass(frozen=True)
 class Style:
     """`width` of a figure [mm], None: the picture's own; `dpi`, None: as fine as the cells require; `limits` (low, high) of the scale
-    of values, in the numbers shown on it; `log`: whether that scale is logarithmic; `units`: scales in ratios, in SI units, or in both."""
+    of values, in base SI units or the ratio shown (limits.py); `log`: whether that scale is logarithmic; `units`: scales in ratios, in SI
+    units, or in both."""
 
     width: float | None = None
     dpi: int | None = None

@@ -1,5 +1,6 @@
 """The title of a picture, for which it reserves space, and the final layout."""
 
+import re
 import textwrap
 
 from matplotlib.axes import Axes
@@ -14,6 +15,7 @@ from .linear_ticks import use_everywhere
 SIZE = 9  # pt
 LINE = 0.155  # in, of a title
 MARGIN = 0.1  # in, left and right of it
+NO_BREAK, BEFORE_A_UNIT = "\N{NO-BREAK SPACE}", re.compile(r"(?<=\d) (?=(%|[kmµ]?(Hz|N|m|s)|m/s)(?![\w]))")
 
 
 def write_title(figure: Figure, file: Titled, extra: str = "", ax: Axes | None = None) -> None:
@@ -44,13 +46,14 @@ def _share(ax):
 
 def wrapped(text: str, width: float) -> list[str]:
     """Wraps into as few lines as fit this width [in], of about equal length."""
+    text = BEFORE_A_UNIT.sub(NO_BREAK, text)
     letters = len(text)
     while letters > 1 and not _fits(text, letters, width):
         letters -= 1
     lines = len(textwrap.wrap(text, letters))
     while letters > 1 and len(textwrap.wrap(text, letters - 1)) == lines and _fits(text, letters - 1, width):
         letters -= 1
-    return textwrap.wrap(text, letters)
+    return [line.replace(NO_BREAK, " ") for line in textwrap.wrap(text, letters)]
 
 
 def _fits(text, letters, width):

@@ -17,7 +17,7 @@ from ..files.coordinates import coordinate
 from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import SAME_GAP, WORDS, CurvesFile, differing, rig_of
-from ..maps.curves_map import COLOURS, LOOKS
+from ..maps.curves_map import COLOURS, LOOKS, name_of
 from ..plotting.coordinates import spoken
 from .sweep_file import SweepFile
 
@@ -84,7 +84,7 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
     scales = [(spoken(sweep, name), words) for name, words in ((sweep.axis_name, "Omega/omega"), (sweep.gap_name, "gap/A0"))]
     rows = [(*(f"{unit.what} [{unit.unit}]" if unit else words for unit, words in scales), "z", "border")]
     across, up = (unit.factor if unit else 1.0 for unit, _ in scales)
-    rows += [(f"{border.frequency_ratio * across:#.9g}", f"{border.gap * up:.6g}", f"{border.impacts}/{border.period}",
+    rows += [(f"{border.frequency_ratio * across:#.9g}", f"{border.gap * up:.6g}", name_of(border.impacts, border.period),
               WORDS[border.kind]) for border in borders]
     widths = [max(map(len, column)) for column in zip(*rows)]
     return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]

@@ -12,6 +12,7 @@ from matplotlib.lines import Line2D
 
 from ..plotting import style, units
 from ..plotting.coordinates import either
+from ..plotting.limits import WEIGHTS, requested
 from ..plotting.picture import picture
 from ..maps.curves_file import UnstableBranch
 from ..measurements.points import NOTHING_MEASURED, Measurements
@@ -37,6 +38,8 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     if not _largest(file) > 0:
         return None
     second = _second_scale(file)
+    forces = np.concatenate([branch.force for branch in file.branches])
+    limits = requested(file, forces, ("N", file.newtons) if file.newtons else None, WEIGHTS)
     handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
                *sweep_panels.measured_handles(measured, "force")]
     panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)
@@ -45,7 +48,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         x, forces = every_attractor.forces(file, gap)
         top = max([forces.max(initial=0.0), *(_largest_of(branch) for branch in file.at_gap(gap))]
                   + [point.force + point.errors.get("force", 0.0) for point in points if point.force is not None])
-        bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1)
+        bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1, limits)
         every_attractor.draw(ax, x, forces)
         for branch in file.at_gap(gap):
             _draw_branch(ax, file, branch, bottom, top)
@@ -74,14 +77,12 @@ def _second_scale(file):
     return f"peak force ({unit})", file.newtons * factor
 
 
-def _limits(file, gap, top):
-    """(bottom, top) of the forces shown, F/(m g). Requested limits are in the numbers of the scale."""
+def _limits(file, gap, top, limits):
+    """(bottom, top) of the forces shown, F/(m g); `limits`: those requested."""
     forces = np.concatenate([branch.force[branch.force > 0] for branch in file.at_gap(gap)])
     bottom = 0.9 * float(forces.min(initial=top / 10)) if style.current().log else 0.0
-    if style.current().limits:
-        in_si = style.current().units == "si" and file.newtons
-        factor = _second_scale(file)[1] if in_si else 1.0
-        low, top = (limit / factor for limit in style.current().limits)
+    if limits:
+        low, top = limits
         bottom = low if low > 0 or bottom == 0 else bottom
     return bottom, top
 

@@ -14,6 +14,7 @@ from matplotlib.patches import Patch
 from ..maps.outcomes import QUANTILES, draws_of, quantiles
 from ..measurements.points import NOTHING_MEASURED, Measurements, Point, lies_between
 from ..plotting import style, units
+from ..plotting.limits import WEIGHTS, requested
 from ..plotting.picture import picture
 from . import sweep_panels
 from .sweep_file import SweepFile
@@ -34,8 +35,11 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     shown = measured if is_force else NOTHING_MEASURED
     handles = [*_handles(file, is_force), *sweep_panels.measured_handles(shown, "force")]
     second = _second_scale(file, largest) if is_force else None
+    in_si = (("N", file.newtons) if file.newtons else None) if is_force else ("m/s", 1.0)
+    limits = requested(file, np.concatenate([band.ravel() for band in bands.values()]), in_si, WEIGHTS if is_force else "")
     label = r"peak force $F/(m\,g)$" if is_force else "impact speed (m/s)"
-    panels = sweep_panels.panels(file, handles, label, second, ax, log=style.current().log, told=draws.in_words)
+    panels = sweep_panels.panels(file, handles, label, second, ax, log=style.current().log,
+                                 told=f"{draws.in_words}; {_begin_in_words(file)}")
     for gap, panel in panels.items():
         _draw_band(panel, file, bands[gap])
         for branch in file.at_gap(gap) if is_force else ():
@@ -44,7 +48,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         tops = [float(np.nanmax(bands[gap], initial=0.0))]
         tops += [float(np.nanmax(branch.force, initial=0.0)) for branch in file.at_gap(gap) if is_force]
         tops += [point.force + point.errors.get("force", 0.0) for point in shown.at_gap(gap) if point.force is not None]
-        panel.set_ylim(*_limits(file, second, 1.06 * max(tops) or 1.0, bands[gap]))
+        panel.set_ylim(*_limits(limits, 1.06 * max(tops) or 1.0, bands[gap]))
         sweep_panels.draw_measured(panel, shown, gap, "force")
     return list(panels.values())
 
@@ -63,7 +67,15 @@ def inside_in_words(file: SweepFile, points: Iterable[Point]) -> str:
     """How many of the points with a force lie in the band of their gap, between the sweep's points by interpolation."""
     found = [_holds(file, file.at_gap(point.gap if point.gap is not None else file.gaps[0])[0], point)
              for point in points if point.force is not None and lies_between(file.values, point.frequency)]
-    return f"{sum(found)} of {len(found)} measured forces lie where nine of ten drawn rigs have theirs (5 to 95 %)"
+    return (f"{sum(found)} of {len(found)} measured forces lie where nine of ten drawn rigs have theirs (5 to 95 %); "
+            f"{_begin_in_words(file)}: where several motions exist, the rigs may be on others than those of this table")
+
+
+def _begin_in_words(file):
+    """Where drawn rigs begin, and where branches do."""
+    own = "from a start of their own" if file.slots else "from [start]"
+    apart = any(branch.direction != "independent" for branch in file.branches)
+    return f"drawn rigs begin {own}" + ", branches with the motion at the point before" * apart
 
 
 def _holds(file, branch, point):
@@ -93,11 +105,10 @@ def _second_scale(file, largest):
     return f"peak force ({unit})", file.newtons * factor
 
 
-def _limits(file, second, top, band):
-    """(bottom, top) of a panel. Requested limits are in the numbers of the scale."""
-    if style.current().limits:
-        factor = second[1] if second and style.current().units == "si" else 1.0
-        return tuple(limit / factor for limit in style.current().limits)
+def _limits(limits, top, band):
+    """(bottom, top) of a panel; `limits`: those requested."""
+    if limits:
+        return limits
     if not style.current().log:
         return 0.0, top
     return 0.9 * float(np.min(band[band > 0], initial=top / 10)), top

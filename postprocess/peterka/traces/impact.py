@@ -38,7 +38,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
         trace_look.grid(ax)
     above.set_xlim(milliseconds[0], milliseconds[-1])
     figure.align_ylabels([above, below])
-    trace_look.write_title(figure, file, _facts(file), above)
+    trace_look.write_title(figure, file, "\n".join(filter(None, [_facts(file), trace_look.peaks(file)])), above)
     return [above, below]
 
 

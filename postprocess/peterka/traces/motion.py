@@ -42,7 +42,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
         ax.tick_params(labelbottom=False)
     _cycles_on_top(panels[0], motion, file)
     figure.align_ylabels(panels)
-    trace_look.write_title(figure, file, ax=panels[0])
+    trace_look.write_title(figure, file, trace_look.peaks(file), panels[0])
     return panels
 
 

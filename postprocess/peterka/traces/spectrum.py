@@ -13,6 +13,7 @@ from . import trace_look
 from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 5.2, 5.4  # in
+NARROW, FLAT = 4.5, 0.75  # in: width from which on two panels stand side by side; height of one in a column, over theirs
 LEAST = 1e-5  # of the largest value: smaller values are not shown
 FEW_LINES = 400
 ACCELERATION = r"acceleration $\ddot{x}$ (m/s²)"
@@ -31,8 +32,10 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     panels = [panel for panel in panels if np.any((panel[0] > 0) & (panel[1] > 0))]  # omits empty ones
     if not panels:
         return None
-    rows, columns = -(-len(panels) // 2), min(len(panels), 2)
-    figure, places = figures.divided(figures.width_of(WIDTH), HEIGHT * rows / 2, ax, rows, columns)
+    width = figures.width_of(WIDTH)
+    columns = min(len(panels), 2 if width >= NARROW else 1)  # side by side, narrow panels have room for two ticks alone
+    rows = -(-len(panels) // columns)
+    figure, places = figures.divided(width, HEIGHT * rows / 2 * (1 if columns > 1 else FLAT), ax, rows, columns)
     grid = [figures.panel(figure, places, *divmod(number, columns), ax) for number in range(len(panels))]
     for number, (one, panel) in enumerate(zip(grid, panels)):
         _draw(one, *panel)

@@ -63,6 +63,15 @@ class TraceFile(OpenedFile):
         return 1000 * metres if metres else None
 
     @property
+    def steady_peak(self) -> float | None:
+        """Largest force of the steady motion, F/(m g); None if the file does not give it."""
+        if not self.data.has("cell/peak_force_ratio"):
+            return None
+        self.data.dataset("cell/peak_force_ratio", (), REAL)
+        value = float(self.data.values("cell/peak_force_ratio", ()))
+        return value if np.isfinite(value) and value > 0 else None
+
+    @property
     def excitation_hz(self) -> float | None:
         """Excitation frequency [Hz] of the cart; None for a cart at rest."""
         ratio, natural = self.positive("frequency_ratio"), self.positive("natural_frequency_hz")

@@ -10,6 +10,7 @@ from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, PERIODIC, SUSTAINED_CONT
 from ..plotting import axes, style, units
 from .trace_file import TraceFile
 
+SAME = 1e-3  # of the steady peak: an impact harder than by that belongs to the way to it
 HAMMER, CART, STOP, FORCE = "#0B5FA5", "#C65F00", "#7A7A7A", "#A3123F"
 HAMMER_LINE = {"color": HAMMER, "linewidth": 1.0}
 CART_LINE = {"color": CART, "linewidth": 0.9, "linestyle": (0, (5, 2))}
@@ -67,6 +68,19 @@ def place(file: TraceFile) -> str:
 def write_title(figure: Figure, file: TraceFile, extra: str = "", ax: Axes | None = None) -> None:
     """Writes the title, with the trace's operating point and the proof of its regime below the file's title."""
     axes.write_title(figure, file, "\n".join(filter(None, [place(file), claim(file), extra])), ax)
+
+
+def peaks(file: TraceFile) -> str:
+    """Whether the hardest impact shown is that of the steady motion, or of the way to it, in one line; empty if the file doesn't tell."""
+    if file.cell is None or file.impacts is None or file.cell["regime"] != PERIODIC or file.steady_peak is None:
+        return ""
+    hardest = float(np.nanmax(file.impacts["peak_force_ratio"], initial=0.0))
+    (shown, unit), (steady, _) = (force(file, np.float64(value)) for value in (hardest, file.steady_peak))
+    if hardest > file.steady_peak * (1 + SAME):
+        return f"hardest impact {shown:.4g} {unit}, on the way to the steady motion, whose peak is {steady:.4g} {unit}"
+    if hardest >= file.steady_peak * (1 - SAME):
+        return f"hardest impact {shown:.4g} {unit}: the peak of the steady motion"
+    return f"hardest impact {shown:.4g} {unit}; peak of the steady motion {steady:.4g} {unit}"
 
 
 def claim(file: TraceFile) -> str:

@@ -1,0 +1,62 @@
+"""--limits: their unit doesn't depend on the prefix that a scale has in one file or another."""
+
+import numpy as np
+import pytest
+from peterka.pictures import open_file, pictures_of
+from peterka.plotting.figures import figure_of
+from picture_samples import PLAIN, write_map
+from sweep_samples import WEIGHT, write_sweep
+from uncertain_samples import write_uncertain_sweep
+
+
+@pytest.mark.parametrize("times", [1, 100])  # forces in N, and in kN
+def test_limits_in_si_are_newtons_whatever_the_prefix(tmp_path, times):
+    forces = times * np.arange(10.0, 26).reshape(4, 4)
+    with open_file(write_map(tmp_path / "a.h5", forces=forces)) as file:
+        norm = pictures_of(file)["force_all"](file, limits=(times * 30, times * 60), units="si").collections[-1].norm
+    kilo = 1000 if times == 100 else 1
+    assert (norm.vmin, norm.vmax) == pytest.approx((times * 30 / kilo, times * 60 / kilo))
+
+
+def test_limits_are_in_weights_where_the_scale_is(tmp_path):
+    with open_file(write_map(tmp_path / "a.h5")) as file:
+        norm = pictures_of(file)["force_all"](file, limits=(11, 12)).collections[-1].norm
+    assert (norm.vmin, norm.vmax) == pytest.approx((11, 12))
+
+
+@pytest.mark.parametrize("units", ["both", "si", "ratio"])
+def test_limits_of_a_number_without_a_ratio_are_in_si(tmp_path, units):
+    speed = 1e-3 * np.arange(1.0, 17).reshape(4, 4)  # shown in mm/s
+    with open_file(write_map(tmp_path / "a.h5", fields={"impact_speed": speed})) as file:
+        norm = pictures_of(file)["impact_speed"](file, limits=(2e-3, 5e-3), units=units).collections[-1].norm
+    assert (norm.vmin, norm.vmax) == pytest.approx((2, 5))
+
+
+def test_limits_of_a_sweep_are_newtons_too(tmp_path):
+    with open_file(write_sweep(tmp_path / "a.h5")) as file:
+        ends = [ax.get_ylim() for ax in pictures_of(file)["response"](file, limits=(0, 100), units="si")]
+    # above the data a panel has room for its notes
+    assert all(low == 0 and 100 <= high * WEIGHT < 150 for low, high in ends)
+
+
+def test_limits_of_the_response_of_rigs_are_newtons_too(tmp_path):
+    with open_file(write_uncertain_sweep(tmp_path / "a.h5")) as file:
+        for ax in pictures_of(file)["response_of_rigs"](file, limits=(10, 200), units="si"):
+            assert np.array(ax.get_ylim()) * WEIGHT == pytest.approx((10, 200))
+
+
+@pytest.mark.parametrize("units, asked, told", [
+    ("si", "1000,2000", "has values from 29.22 to 67.21 N, and --limits 1000,2000 (in N) leaves nothing"),
+    ("both", "0.1,0.2", "has values from 10 to 23 weights of the hammer, F/(m g), and --limits 0.1,0.2 (in weights"),
+])
+def test_limits_that_leave_nothing_are_refused_with_the_range_and_its_unit(tmp_path, draw, units, asked, told):
+    forces = np.linspace(10, 23, 16).reshape(4, 4)
+    path = write_map(tmp_path / "rig.h5", [[PLAIN[0][0]] * 4] * 4, forces=forces)
+    outcome = draw(path, "--only", "map,force_all", "--units", units, "--limits", asked, "--format", "png")
+    assert outcome.code == 2 and outcome.pictures == ["rig_map.png"]
+    assert told in outcome.stderr and outcome.stderr.startswith("draw.py: force_all: ") and "--only" in outcome.stderr
+
+
+def test_a_sweep_says_so_too(tmp_path, draw):
+    outcome = draw(write_sweep(tmp_path / "s.h5"), "--only", "response", "--units", "si", "--limits", "5000,6000")
+    assert outcome.code == 2 and " N, and --limits 5000,6000 (in N)" in outcome.stderr
