@@ -163,8 +163,9 @@ std::string starts_price(const job::Job& job) {
                           readable_duration(seconds / 20), readable_duration(seconds * 10))
             : fmt::format("some {} of one core, about", readable_duration(seconds));
     if (job.starts.count == 0) return fmt::format("#   kicks    of the orbit of each cell: {}\n", words);
-    return fmt::format("#   starts   {} in each {}, {:.3g} in all{}: {}\n", readable_count(job.starts.count),
-                       is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
+    return fmt::format("#   starts   {} in each {}, {} in all{}: {}\n", readable_count(job.starts.count),
+                       is_sweep ? "point" : "cell", readable_count(std::llround(starts)),
+                       kicks ? ", and critical kicks" : "", words);
 }
 
 std::string rigs_price(const job::Job& job) {
@@ -175,10 +176,10 @@ std::string rigs_price(const job::Job& job) {
     const double cells = static_cast<double>(job.cells()) / shared;
     const double seconds = cells * cycles_of_rigs(job) * own_rig * microseconds_of_a_cycle(job) * 1e-6;
     const std::string again = drawn_again_in_words(job);
-    return fmt::format("#   draws    {} rigs in each {}, {:.3g} in all: some {} of one core, about{}\n",
+    return fmt::format("#   draws    {} rigs in each {}, {} in all: some {} of one core, about{}\n",
                        readable_count(job.uncertainty.rigs), is_sweep ? "point" : "cell",
-                       static_cast<double>(job.uncertainty.rigs) * cells, readable_duration(seconds),
-                       again.empty() ? "" : "; " + again);
+                       readable_count(std::llround(static_cast<double>(job.uncertainty.rigs) * cells)),
+                       readable_duration(seconds), again.empty() ? "" : "; " + again);
 }
 
 // On one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,

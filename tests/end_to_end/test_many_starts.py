@@ -194,10 +194,10 @@ def test_check_prices_starts(tmp_path):
     jobs.write(tmp_path, many_starts.small_map())
     plain, many = (launch.run("check", "job.toml", "--set", f"starts.count={count}", cwd=tmp_path) for count in (0, 5000))
     assert "in all: some" not in plain.stdout
-    assert "5,000 in each cell, 7e+06 in all: some 1 min" in many.stdout
+    assert "5,000 in each cell, 7,000,000 in all: some 1 min" in many.stdout
     few = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=2", cwd=tmp_path)
     # 80 cells of 1728 cycles on average, 0.33 us each
-    assert "24 in each cell, 1.92e+03 in all: from 2.3 ms to 456.2 ms of one core" in few.stdout, few.stdout
+    assert "24 in each cell, 1,920 in all: from 2.3 ms to 456.2 ms of one core" in few.stdout, few.stdout
     assert launch.told_megabytes(many) > launch.told_megabytes(plain) + 100
 
 
@@ -224,7 +224,7 @@ def test_check_prices_critical_kicks(tmp_path):
     jobs.write(tmp_path, many_starts.small_map())
     kicks = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=2", "--set", 'output.fields=["critical_kick"]',
                        cwd=tmp_path)
-    assert "1.92e+03 in all, and critical kicks: from 1.1 s to 3 min 45 s of one core" in kicks.stdout, kicks.stdout
+    assert "1,920 in all, and critical kicks: from 1.1 s to 3 min 45 s of one core" in kicks.stdout, kicks.stdout
 
 
 def test_one_start_has_its_attractor_as_the_only_share(tmp_path):
