@@ -69,6 +69,9 @@ class CycleIntegration {
                         course_->stop().ahead_to_pressing(theta) / leg_->oscillator.frequency);
     }
     bool fly(Journey<double>& journey, double end_time, Recorder<double>* recorder);
+    // Why the last leg failed.
+    [[nodiscard]] Outcome failure() const { return runs_away() ? Outcome::not_finite : Outcome::solver_failed; }
+    [[nodiscard]] bool runs_away() const;
     void enter(Phase from, Phase next, double time, Cycle<double>& cycle, Recorder<double>* recorder) const;
 
     std::unique_ptr<SundialsLeg> leg_;
@@ -102,6 +105,19 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
         return {LegEnd::Kind::cycle, leg_->phase, end};
     }
     return {};
+}
+
+// Where softening springs push outward, they throw the hammer beyond any bound within a finite time, towards
+// which an integrator takes ever shorter steps until time stands still in rounding.
+template <class Stepper>
+bool CycleIntegration<Stepper>::runs_away() const {
+    constexpr double instant = 1e-12;  // of a cycle, in which the hammer would go as far again
+    const auto& oscillator = leg_->oscillator;
+    const State<double>& state = stepper_->now().state;
+    const double u = state[0] + oscillator.gap;
+    const bool is_pushed_outward = 1 + oscillator.cubic * u * u < 0;
+    const bool flees = u * state[1] > 0 && std::abs(state[1]) * instant * oscillator.period() > std::abs(u);
+    return is_pushed_outward && flees;
 }
 
 template <class Stepper>
@@ -190,7 +206,7 @@ Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, 
         cycle.separated |= phase == Phase::flight;
         const LegEnd end = integrate_leg(cycle.end, to - time, recorder);
         if (end.kind == LegEnd::Kind::failure) {
-            cycle.outcome = Outcome::solver_failed;
+            cycle.outcome = failure();
             return cycle;
         }
         cycle.end = end.point.state;
@@ -234,7 +250,7 @@ bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, R
     cycle.separated = true;
 
     const LegEnd end = integrate_leg(cycle.end, end_time - journey.time, recorder);
-    if (end.kind == LegEnd::Kind::failure) return journey.stop(Outcome::solver_failed);
+    if (end.kind == LegEnd::Kind::failure) return journey.stop(failure());
     const bool hits = end.kind == LegEnd::Kind::event;
     cycle.end = end.point.state;
     cycle.jacobian = (end.point.flow * cycle.jacobian).eval();

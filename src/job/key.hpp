@@ -12,10 +12,11 @@ namespace peterka::job {
 
 struct Key {
     std::string_view name;
-    std::string_view meaning;       // with its unit in brackets
-    std::string_view example = {};  // an example value of a required key; a key without one has a default
-    bool is_identity = true;        // whether two runs that differ here are different jobs
-    bool is_written = true;         // whether the resolved job holds it, or only what was read by it
+    std::string_view meaning;             // with its unit in brackets
+    std::string_view example = {};        // an example value of a required key; a key without one has a default
+    bool is_identity = true;              // whether two runs that differ here are different jobs
+    bool is_written = true;               // whether the resolved job holds it, or only what was read by it
+    std::string_view example_in_si = {};  // in a job in SI units, where its keys or numbers are others there
 
     [[nodiscard]] bool is_required() const { return !example.empty(); }
 };

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
 std::invalid_argument not_an_assignment(std::string_view text, std::string_view why) {
     return std::invalid_argument(
         fmt::format("{} {}; an override sets one key of one table; write it like "
-                    "--set axes.gap_ratio.points=64",
+                    "--set hammer.mass_kg=0.3",
                     toml_text(text), why));
 }
 

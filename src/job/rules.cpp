@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -146,29 +148,40 @@ std::string rule_of_trace(const Job& job) {
     constexpr double most_samples = 5e6;
     constexpr double lowest_frequency = 1e-2;
     const Trace& trace = job.trace;
-    if (job.operating_point.frequency_hz && !has_rig(job)) return {};  // its ratio isn't known
+    const std::optional<double>& hertz = job.operating_point.frequency_hz;
+    if (hertz && !has_rig(job)) return {};  // its ratio isn't known
     const double eta = job.operating_point.frequency_ratio;
+    const std::string_view key = hertz ? "frequency_hz" : "frequency_ratio";
     if (eta > 0 && eta < lowest_frequency) {
+        const double lowest = hertz ? lowest_frequency * natural_frequency_hz(job.hammer) : lowest_frequency;
         return fmt::format(
-            "operating_point.frequency_ratio = {} is too low; a cycle may last at most a hundred times the "
+            "operating_point.{} = {} is too low; a cycle may last at most a hundred times the "
             "hammer's own; give {} or more, or 0 for a cart at rest",
-            toml_text(eta), toml_text(lowest_frequency));
+            key, toml_text(hertz.value_or(eta)), toml_text(lowest));
     }
     if (eta > 0 && trace.duration_s > 0) {
-        return "trace.duration_s is for a cart at rest (frequency_ratio = 0); a driven trace shows whole "
-               "forcing cycles; give trace.cycles instead";
+        return fmt::format(
+            "trace.duration_s is for a cart at rest ({} = 0); a driven trace shows whole "
+            "forcing cycles; give trace.cycles instead",
+            key);
     }
     if (eta == 0 && trace.from == TraceBegin::steady_state) {
-        return "trace.from = \"steady_state\" means nothing with frequency_ratio = 0; a cart at rest drives no "
-               "steady state; set it to \"start\"";
+        return fmt::format(
+            "trace.from = \"steady_state\" means nothing with {} = 0; a cart at rest drives no "
+            "steady state; set it to \"start\"",
+            key);
     }
     if (eta == 0 && trace.duration_s == 0) {
-        return "trace.duration_s is missing; a cart at rest (frequency_ratio = 0) has no forcing cycles to "
-               "show; give the seconds to show";
+        return fmt::format(
+            "trace.duration_s is missing; a cart at rest ({} = 0) has no forcing cycles to "
+            "show; give the seconds to show",
+            key);
     }
     if (eta == 0 && is_rigid(job.contact)) {
-        return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
-               "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
+        return fmt::format(
+            "{} = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
+            "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"",
+            key);
     }
     if (eta == 0 && !has_rig(job)) return {};  // reported already
     const double samples = cycles_shown(job) * static_cast<double>(trace.samples_per_cycle);

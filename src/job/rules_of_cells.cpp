@@ -48,9 +48,16 @@ std::vector<CellNumbers> starts_at_corners(const Job& job) {
     return numbers;
 }
 
-std::string key_of_displacement(const Job& job, const CellNumbers& start) {
+// Whether a start is told in metres: as it is given, and a job's 0, which is the same in both units, as its
+// other coordinates are.
+bool starts_in_m(const Job& job, const CellNumbers& start) {
+    if (start.start.displacement_m || job.kind == Kind::basin) return start.start.displacement_m.has_value();
+    return start.displacement_ratio() == 0 && leads_in_si(job);
+}
+
+std::string key_of_displacement(const Job& job, bool in_m) {
     if (job.kind == Kind::basin) return fmt::format("axes.{}.to", column_key(job));
-    return start.start.displacement_m ? "start.displacement_m" : "start.displacement_ratio";
+    return fmt::format("start.{}", in_m ? displacement_m.name : displacement_ratio.name);
 }
 
 std::string out_of_range(std::string_view key, double value, double ratio, std::string_view of_what,
@@ -68,23 +75,29 @@ std::string rule_of_rigid_stop(const Job& job) {
     const auto numbers = starts_at_corners(job);
     const auto depth = [](const CellNumbers& cell) { return cell.displacement_ratio() - cell.gap_ratio(); };
     const CellNumbers& deepest = *std::ranges::max_element(numbers, {}, depth);
-    const std::string start = key_of_displacement(job, deepest);
-    const auto& in_m = deepest.start.displacement_m;
+    const bool in_m = starts_in_m(job, deepest);
+    const std::string start = key_of_displacement(job, in_m);
     if (!in_m) {
         return rule_of_rigid_stop(job.contact, start, deepest.displacement_ratio(),
                                   lowest_gap_in_words(job, "gap_ratio"), deepest.gap_ratio());
     }
     const double gap =
         deepest.place.gap_m ? *deepest.place.gap_m : as_twin("gap_ratio", deepest.place.gap_ratio, deepest);
-    return rule_of_rigid_stop(job.contact, start, *in_m, lowest_gap_in_words(job, "gap_m"), gap);
+    return rule_of_rigid_stop(job.contact, start, deepest.start.displacement_m.value_or(0),
+                              lowest_gap_in_words(job, "gap_m"), gap);
 }
 
 std::string rule_of_room(const Job& job) {
     const Starts& starts = job.starts;
-    const bool in_m = !starts.displacement_m.empty();
-    const std::vector<double>& interval = in_m ? starts.displacement_m : starts.displacement_ratio;
+    const bool is_given_in_m = !starts.displacement_m.empty();
+    std::vector<double> interval = is_given_in_m ? starts.displacement_m : starts.displacement_ratio;
     const bool is_sound = interval.size() == 2 && interval[0] < interval[1];  // otherwise a fault already
     if (starts.count == 0 || !is_sound || !has_rig(job) || !has_cells(job)) return "";
+    // the default, which is a ratio, in the job's unit
+    const auto twin = shared_twin(job, displacement_ratio.name);
+    const bool is_default = interval == Starts{}.displacement_ratio;
+    const bool in_m = is_given_in_m || (is_default && twin && leads_in_si(job));
+    if (in_m && !is_given_in_m) interval = {twin->value(interval[0]), twin->value(interval[1])};
     double lowest = std::numeric_limits<double>::infinity();
     for (const CellNumbers& cell : numbers_at_corners(job)) {
         const double gap = cell.gap_ratio();
@@ -138,8 +151,8 @@ std::string rule_of_place(const Job& job) {
         cells = numbers_at_corners(job);
     }
     for (const CellNumbers& cell : cells) {
-        const bool in_hz = cell.place.frequency_hz.has_value();
-        if (in_hz && !frequency_ratio.range.contains(cell.frequency_ratio())) {
+        const bool is_at_rest = job.kind == Kind::trace && cell.place.frequency_hz == 0.0;
+        if (cell.place.frequency_hz && !is_at_rest && !frequency_ratio.range.contains(cell.frequency_ratio())) {
             return out_of_range("frequency_hz", *cell.place.frequency_hz, cell.frequency_ratio(),
                                 "the natural frequency", frequency_ratio.range);
         }

@@ -22,10 +22,15 @@ void describe(Walker& table, Refine& refine) {
 template <typename Walker>
 void describe_shared_place(Walker& file, Job& job, bool frequency, bool gap, std::string_view why_none) {
     if (!frequency && !gap) return file.refuse("operating_point", why_none);
-    const std::string_view keys = !gap         ? "frequency_ratio"
-                                  : !frequency ? "gap_ratio"
-                                               : "frequency_ratio and gap_ratio";
-    file.table({"operating_point", "frequency or gap that all cells share", keys}, [&](auto& table) {
+    Key shared = place_key("frequency or gap that all cells share");
+    if (!gap) {
+        shared.example = "frequency_ratio";
+        shared.example_in_si = "frequency_hz";
+    } else if (!frequency) {
+        shared.example = "gap_ratio";
+        shared.example_in_si = "gap_m";
+    }
+    file.table(shared, [&](auto& table) {
         constexpr auto why = "is given already, as an axis or in a list; remove this key";
         if (frequency) {
             describe_frequency(table, job.operating_point);
@@ -45,7 +50,11 @@ void describe_shared_place(Walker& file, Job& job, bool frequency, bool gap, std
 template <typename Walker>
 void describe_plane(Walker& file, Job& job) {
     bool are_known = true;
-    file.table({"axes", "plane of the map", "[axes.frequency_ratio] and [axes.gap_ratio]"}, [&](auto& axes) {
+    const Key plane{.name = "axes",
+                    .meaning = "plane of the map",
+                    .example = "[axes.frequency_ratio] and [axes.gap_ratio]",
+                    .example_in_si = "[axes.frequency_hz] and [axes.gap_m]"};
+    file.table(plane, [&](auto& axes) {
         const auto chosen = axes.choose_axes(job);
         are_known = chosen.are_known;
         if (chosen.count > 0) describe_axis(axes, job.columns, quantity(column_key(job)));

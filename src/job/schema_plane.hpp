@@ -92,12 +92,21 @@ void describe_start(Walker& file, Job& job) {
     settle_start(job);
 }
 
+// The table of an operating point.
+constexpr Key place_key(std::string_view meaning) {
+    return {.name = "operating_point",
+            .meaning = meaning,
+            .example = "frequency_ratio and gap_ratio",
+            .example_in_si = "frequency_hz and gap_m"};
+}
+
 // At one operating point: as a ratio or in SI units.
 template <typename Walker>
-void describe_frequency(Walker& table, OperatingPoint& place, const Quantity& ratios = frequency_ratio) {
+void describe_frequency(Walker& table, OperatingPoint& place, const Quantity& ratios = frequency_ratio,
+                        const Quantity& hertz = frequency_hz) {
     std::optional<double> ratio = place.frequency_hz ? std::nullopt : std::optional(place.frequency_ratio);
     table.either({{ratios.name, ratios.meaning, "1.8"}, ratio, ratios.range},
-                 {{frequency_hz.name, frequency_hz.meaning, "9.0"}, place.frequency_hz, frequency_hz.range},
+                 {{hertz.name, hertz.meaning, "9.0"}, place.frequency_hz, hertz.range},
                  "either of them sets the excitation frequency");
     place.frequency_ratio = ratio.value_or(0);
 }
@@ -115,15 +124,16 @@ template <typename Walker>
 void describe_basin(Walker& file, Job& job) {
     const bool has_own_rig = job.cell.map.empty();
     if (has_own_rig) {
-        file.table({"operating_point", "place in the plane at which the basin is drawn",
-                    "frequency_ratio and gap_ratio"},
-                   [&](auto& table) {
-                       describe_frequency(table, job.operating_point);
-                       describe_gap(table, job.operating_point);
-                   });
+        file.table(place_key("place in the plane at which the basin is drawn"), [&](auto& table) {
+            describe_frequency(table, job.operating_point);
+            describe_gap(table, job.operating_point);
+        });
         settle_place(job);
     }
-    file.table({"axes", "plane of starts", "[axes.displacement_ratio] and [axes.velocity_ratio]"},
+    file.table({.name = "axes",
+                .meaning = "plane of starts",
+                .example = "[axes.displacement_ratio] and [axes.velocity_ratio]",
+                .example_in_si = "[axes.displacement_m] and [axes.velocity_m_per_s]"},
                [&](auto& axes) {
                    axes.choose_axes_of_basin(job);
                    describe_axis(axes, job.columns, quantity(column_key(job)));

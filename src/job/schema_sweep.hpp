@@ -16,7 +16,9 @@ template <typename Walker>
 void describe(Walker& table, Sweep& sweep, const Key& gaps, bool has_gaps) {
     if (has_gaps) {
         table.either_list({gaps, sweep.gap_ratio, gap_ratio.range},
-                          {{gap_m.name, "gaps of the branches [m]"}, sweep.gap_m, gap_m.range},
+                          {{gap_m.name, "gaps of the branches [m]", gaps.is_required() ? "[0.0, 1e-3]" : ""},
+                           sweep.gap_m,
+                           gap_m.range},
                           "either of them sets the gaps of the branches");
         table.rule({gap_ratio.name, gap_m.name}, [&] { return rule_of_gaps(sweep); });
     } else {
@@ -39,7 +41,10 @@ void describe_branches(Walker& file, Job& job, bool axis_is_known) {
     const bool gap_is_axis = is_gap(column_key(job));
     const bool may_lack_gaps = gap_is_axis || !axis_is_known || file.has("operating_point");
     const Key gaps{gap_ratio.name, "gaps of the branches, gap/A0 [1]", may_lack_gaps ? "" : "[0.0, 1.0]"};
-    file.table({"sweep", "the branches", may_lack_gaps ? "" : "gap_ratio = [0.0, 1.0]"},
+    file.table({.name = "sweep",
+                .meaning = "the branches",
+                .example = may_lack_gaps ? "" : "gap_ratio = [0.0, 1.0]",
+                .example_in_si = "gap_m = [0.0, 1e-3]"},
                [&](auto& table) { describe(table, job.sweep, gaps, !gap_is_axis); });
     if (!axis_is_known) return file.skip({"operating_point"});
     describe_shared_place(file, job, !is_frequency(column_key(job)),
@@ -50,7 +55,11 @@ void describe_branches(Walker& file, Job& job, bool axis_is_known) {
 template <typename Walker>
 void describe_sweep(Walker& file, Job& job) {
     bool axis_is_known = true;
-    file.table({"axes", "axis of the sweep", "[axes.frequency_ratio]"}, [&](auto& axes) {
+    const Key axis{.name = "axes",
+                   .meaning = "axis of the sweep",
+                   .example = "[axes.frequency_ratio]",
+                   .example_in_si = "[axes.frequency_hz]"};
+    file.table(axis, [&](auto& axes) {
         const auto chosen = axes.choose_axes(job);
         axis_is_known = chosen.are_known;
         if (chosen.count > 0) describe_axis(axes, job.columns, quantity(column_key(job)));

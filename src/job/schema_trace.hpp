@@ -20,8 +20,8 @@ void describe(Walker& table, Trace& trace) {
     table.integer(
         {"cycles", "forcing cycles shown"}, trace.cycles,
         from_to<std::int64_t>(1, 10'000, "a trace shows whole forcing cycles, as many as one can look at"));
-    table.number({"duration_s", "time shown instead with a cart at rest, frequency_ratio = 0 [s]"},
-                 trace.duration_s, not_negative("a trace runs forward in time"));
+    table.number({"duration_s", "time shown instead with a cart at rest, of frequency 0 [s]"}, trace.duration_s,
+                 not_negative("a trace runs forward in time"));
     table.integer({"samples_per_cycle", "samples per forcing cycle, or per natural period of a cart at rest"},
                   trace.samples_per_cycle, from_to<std::int64_t>(4, 1'000'000, "fewer samples show no motion"));
     table.number(
@@ -39,6 +39,9 @@ inline constexpr Quantity trace_frequency_ratio{
     from_to(0.0, frequency_ratio.range.high,
             "the cart vibrates or is at rest, and its frequency is a finite magnitude"),
     "0.0", "4.5"};
+inline constexpr Quantity trace_frequency_hz{"frequency_hz",
+                                             "excitation frequency Omega/(2 pi); 0: at rest [Hz]",
+                                             not_negative("the cart vibrates or is at rest"), "0.0", "20.25"};
 
 // The rig and the cell of a map file.
 template <typename Walker>
@@ -62,11 +65,10 @@ void describe_trace_of_map(Walker& file, Job& job) {
 
 template <typename Walker>
 void describe_trace_of_rig(Walker& file, Job& job) {
-    file.table({"operating_point", "place of the cell in the plane", "frequency_ratio and gap_ratio"},
-               [&](auto& table) {
-                   describe_frequency(table, job.operating_point, trace_frequency_ratio);
-                   describe_gap(table, job.operating_point);
-               });
+    file.table(place_key("place of the cell in the plane"), [&](auto& table) {
+        describe_frequency(table, job.operating_point, trace_frequency_ratio, trace_frequency_hz);
+        describe_gap(table, job.operating_point);
+    });
     settle_place(job);
     describe_start(file, job);
     file.rule({"operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });

@@ -8,6 +8,7 @@
 
 #include "job/choose.hpp"
 #include "job/toml_text.hpp"
+#include "job/twins.hpp"
 
 namespace peterka::job {
 namespace {
@@ -21,10 +22,31 @@ const Value* find_inside(const Table& table, std::string_view name) {
     return inner == nullptr ? nullptr : find_inside(*inner, name.substr(dot + 1));
 }
 
+void add_names(const Table& table, std::vector<std::string_view>& names) {
+    for (const Entry& entry : table.entries) {
+        names.emplace_back(entry.name);
+        if (const auto* inner = entry.value.as<Table>()) add_names(*inner, names);
+    }
+}
+
+// Whether a document gives coordinates in SI units: a frequency or gap, or, without either, a start.
+bool gives_si(const Table& document) {
+    std::vector<std::string_view> names;
+    add_names(document, names);
+    const auto is_of_place = [](std::string_view name) { return is_frequency(name) || is_gap(name); };
+    const bool has_place = std::ranges::any_of(names, is_of_place);
+    return std::ranges::any_of(
+        names, [&](std::string_view name) { return is_in_si(name) && (!has_place || is_of_place(name)); });
+}
+
 }  // namespace
 
 TableReader::TableReader(const Value& value, std::string path, std::vector<Fault>& faults)
-    : table_(*value.as<Table>()), where_(value.where), path_(std::move(path)), faults_(faults) {}
+    : table_(*value.as<Table>()),
+      where_(value.where),
+      path_(std::move(path)),
+      leads_in_si_(gives_si(table_)),
+      faults_(faults) {}
 
 void TableReader::number(const Key& key, double& value, const Range<double>& range) {
     if (const Value* given = ask(key)) read_number(key, *given, value, range);
@@ -156,9 +178,11 @@ void TableReader::require_one_of(const Key& first, const Key& second, std::strin
                           second.name, why));
     }
     if (one == nullptr && other == nullptr && first.is_required()) {
-        fault(first.name, where_,
-              fmt::format("{} or {} is missing; {}; add one of them, such as {} = {}, {}",
-                          full_name(first.name), second.name, why, first.name, first.example, place_to_add()));
+        const auto& [shown, other_one] = leads_in_si_ ? std::pair(second, first) : std::pair(first, second);
+        fault(
+            first.name, where_,
+            fmt::format("{} or {} is missing; {}; add one of them, such as {} = {}, {}", full_name(shown.name),
+                        other_one.name, why, shown.name, shown.example, place_to_add()));
     }
 }
 
@@ -221,7 +245,7 @@ const Value* TableReader::ask(const Key& key) {
     if (given == nullptr && key.is_required()) {
         fault(key.name, where_,
               fmt::format("{} is missing; it has no default ({}); add {} = {} {}", full_name(key.name),
-                          key.meaning, key.name, key.example, place_to_add()));
+                          key.meaning, key.name, example_of(key), place_to_add()));
     }
     return given;
 }
@@ -239,7 +263,7 @@ std::optional<TableReader> TableReader::open(const Key& key) {
             fault(key.name, where_,
                   fmt::format(
                       "the table [{}] is missing; it has no default ({}); add it with its keys, such as {}",
-                      name, key.meaning, key.example));
+                      name, key.meaning, example_of(key)));
         }
         return std::nullopt;
     }
@@ -252,6 +276,7 @@ std::optional<TableReader> TableReader::open(const Key& key) {
     }
     TableReader inner(*given, name, faults_);
     inner.left_to_axes_ = left_to_axes_;
+    inner.leads_in_si_ = leads_in_si_;
     return inner;
 }
 

@@ -123,6 +123,9 @@ class TableReader {
     [[nodiscard]] bool sound(std::initializer_list<std::string_view> keys) const;
     [[nodiscard]] std::string full_name(std::string_view name) const;
     [[nodiscard]] std::string place_to_add() const;
+    [[nodiscard]] std::string_view example_of(const Key& key) const {
+        return leads_in_si_ && !key.example_in_si.empty() ? key.example_in_si : key.example;
+    }
     [[nodiscard]] std::string suggestion(std::string_view unknown, bool is_table) const;
 
     void fault(std::string_view key, const Location& where, std::string text);
@@ -135,6 +138,7 @@ class TableReader {
     const Table& table_;
     Location where_;
     std::string path_;
+    bool leads_in_si_;  // the document, so that examples do, too
     std::vector<std::string> left_to_axes_;
     std::vector<Fault>& faults_;
     Words known_;  // names to suggest

@@ -66,8 +66,8 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
     if (const AxisQuantity* quantity = find_quantity(axis.key)) {
         if (kind == Kind::study && !is_on_the_plane(axis.key)) {
             return fmt::format(
-                "[axes.{}] is for maps, sweeps and curves; studies have the plane of frequency_ratio and "
-                "gap_ratio; remove this table",
+                "[axes.{}] is for maps, sweeps and curves; studies have the plane of frequency and gap; "
+                "remove this table",
                 axis.key);
         }
         const std::string_view reason = kind == Kind::curves ? why_no_curves_over(axis.key) : "";
@@ -113,7 +113,7 @@ void TableReader::leave_to_axes(const Job&) {
 
 void TableReader::choose_axes_of_basin(Job& job) {
     const auto choose = [&](Axis& axis, std::string_view ratio, std::string_view si) {
-        if (!has(si)) return;
+        if (!has(si) && (has(ratio) || !leads_in_si_)) return;
         if (!has(ratio)) {
             axis.over = si;
             return;
@@ -156,6 +156,11 @@ ChosenAxes TableReader::choose_axes(Job& job) {
     // a missing axis is no fault if a faulty one may be meant for it
     const bool are_known = !has_faulty || axes.size() == wanted;
     const ChosenAxes usual{.count = axes.empty() && has_faulty ? 0 : 2, .are_known = are_known};
+    const std::string_view frequency = leads_in_si_ ? frequency_hz.name : frequency_ratio.name;
+    const std::string_view gap = leads_in_si_ ? gap_m.name : gap_ratio.name;
+    // what is missing is reported by these names
+    job.columns.over = name_of_its_own(frequency, frequency_ratio.name);
+    if (wanted == 2) job.rows.over = name_of_its_own(gap, gap_ratio.name);
     if (axes.empty()) return usual;
     if (!has_any_axes(job.kind)) {  // they are those of frequency and gap, in this order
         for (const Given& axis : axes) {
@@ -173,13 +178,13 @@ ChosenAxes TableReader::choose_axes(Job& job) {
     }
     if (!are_known) return {.count = 1, .are_known = false};
     if (is_on_the_plane(axes[0].key)) {
-        job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";  // which is missing, and reported
+        if (is_gap(axes[0].key)) job.rows.over = frequency;
         return {};
     }
     fault("axes", where_,
           fmt::format("[axes] has one axis, {}; {} two, columns and rows; add another, such as "
-                      "[axes.frequency_ratio]",
-                      axes[0].key, has_in_words(job.kind)));
+                      "[axes.{}]",
+                      axes[0].key, has_in_words(job.kind), frequency));
     return {.count = 1, .are_known = false};
 }
 

@@ -87,7 +87,7 @@ void TableReader::wrong_type(const Key& key, const Value& value, std::string_vie
     fault(key.name, value.where,
           fmt::format("{} = {} is {}; it must be {} ({}); write it like {} = {}", full_name(key.name),
                       value.text(), value.type_in_words(), wanted, key.meaning, key.name,
-                      key.is_required() ? key.example : example));
+                      key.is_required() ? example_of(key) : example));
 }
 
 }  // namespace peterka::job

@@ -25,9 +25,10 @@ enum class Style { for_people, for_identity };
 
 class TableWriter {
   public:
-    // With origins, each value is annotated, for people, with where it came from.
-    TableWriter(std::string& text, Style style, const Origins* origins = nullptr)
-        : TableWriter(text, style, origins, "", "") {}
+    // With the job's origins, each value is annotated, for people, with where it came from, and ratios in a
+    // job in SI units with what they are there.
+    TableWriter(std::string& text, Style style, const Job* job = nullptr, const Origins* origins = nullptr)
+        : TableWriter(text, style, job, origins, "", "") {}
 
     void number(const Key& key, double value, const Range<double>&) {
         if (!is_left_to_an_axis(key)) line(key, toml_text(value));
@@ -53,7 +54,7 @@ class TableWriter {
     void either(const Alternative& first, const Alternative& second, std::string_view why);
     void either_list(const ListAlternative& first, const ListAlternative& second, std::string_view) {
         const ListAlternative& given = second.values.empty() ? first : second;
-        list(given.key, given.values);
+        list(given.key, given.values, in_other_unit(given.key, given.values, true));
     }
 
     template <typename Choice>
@@ -72,7 +73,7 @@ class TableWriter {
     template <typename Write>
     void table(const Key& key, Write write) {
         if (!is_written(key)) return;
-        TableWriter inner(text_, style_, origins_,
+        TableWriter inner(text_, style_, job_, origins_,
                           path_.empty() ? std::string(key.name) : path_ + "." + std::string(key.name),
                           key.meaning);
         inner.left_to_axes_ = left_to_axes_;
@@ -98,10 +99,11 @@ class TableWriter {
     void choose_axes_of_basin(const Job&) {}
 
   private:
-    TableWriter(std::string& text, Style style, const Origins* origins, std::string path,
+    TableWriter(std::string& text, Style style, const Job* job, const Origins* origins, std::string path,
                 std::string_view meaning)
         : text_(text),
           style_(style),
+          job_(job),
           origins_(origins),
           path_(std::move(path)),
           meaning_(meaning),
@@ -111,19 +113,24 @@ class TableWriter {
         return key.is_written && (style_ == Style::for_people || key.is_identity);
     }
     template <typename Number>
-    void list(const Key& key, const std::vector<Number>& values) {
+    void list(const Key& key, const std::vector<Number>& values, const std::string& remark = "") {
         if (values.empty()) return;  // a list that the job does not have
         std::string text;
         for (const Number& value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
-        line(key, "[" + text + "]");
+        line(key, "[" + text + "]", remark);
     }
-    void line(const Key& key, const std::string& value);
+    void line(const Key& key, const std::string& value, const std::string& remark = "");
+    // A ratio in a job in SI units as it would be given there, such as ", or displacement_m = 0"; "" for
+    // others.
+    [[nodiscard]] std::string in_other_unit(const Key& key, const std::vector<double>& values,
+                                            bool is_list) const;
     [[nodiscard]] bool is_left_to_an_axis(const Key& key) const;
     [[nodiscard]] std::string origin_of(const Key& key) const;
     void header();  // before the first key: a table of tables alone needs none
 
     std::string& text_;
     Style style_;
+    const Job* job_;
     const Origins* origins_;
     std::string path_;
     std::string_view meaning_;

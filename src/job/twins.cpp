@@ -39,23 +39,6 @@ const Pair* find(std::string_view key) {
     return found == std::end(pairs) ? nullptr : found;
 }
 
-// Each number is monotonic along an axis, so it suffices to check its ends.
-std::optional<Twin> twin(const Job& job, std::string_view key) {
-    const Pair* pair = find(key);
-    if (pair == nullptr) return std::nullopt;
-    const CellNumbers rig = numbers_in(job);
-    const bool has_rows = job.kind != Kind::sweep;
-    for (const double column : {job.columns.from, job.columns.to}) {
-        for (const double row : {job.rows.from, job.rows.to}) {
-            CellNumbers other = rig;
-            if (is_of_rig(column_key(job))) set_number(other, column_key(job), column);
-            if (has_rows && is_of_rig(row_key(job))) set_number(other, row_key(job), row);
-            if (pair->unit(other) != pair->unit(rig)) return std::nullopt;
-        }
-    }
-    return Twin{twin_of(key), key, rig};
-}
-
 // The keys by which a job gives its coordinates, those of its axes first.
 std::vector<std::string_view> keys_of_axes(const Job& job) {
     std::vector<std::string_view> keys;
@@ -102,16 +85,34 @@ bool leads_in_si(const Job& job, std::string_view key) {
     return first != given.end() && is_in_si(*first);
 }
 
+// Each number is monotonic along an axis, so it suffices to check its ends.
+std::optional<Twin> shared_twin(const Job& job, std::string_view key) {
+    const Pair* pair = find(key);
+    if (pair == nullptr) return std::nullopt;
+    const CellNumbers rig = numbers_in(job);
+    const bool has_rows = job.kind != Kind::sweep;
+    for (const double column : {job.columns.from, job.columns.to}) {
+        for (const double row : {job.rows.from, job.rows.to}) {
+            CellNumbers other = rig;
+            if (is_of_rig(column_key(job))) set_number(other, column_key(job), column);
+            if (has_rows && is_of_rig(row_key(job))) set_number(other, row_key(job), row);
+            if (pair->unit(other) != pair->unit(rig)) return std::nullopt;
+        }
+    }
+    return Twin{twin_of(key), key, rig};
+}
+
 std::optional<Twin> twin_of_columns(const Job& job) {
-    return twin(job, column_key(job));
+    return shared_twin(job, column_key(job));
 }
 
 std::optional<Twin> twin_of_rows(const Job& job) {
-    return job.kind == Kind::sweep ? std::nullopt : twin(job, row_key(job));
+    return job.kind == Kind::sweep ? std::nullopt : shared_twin(job, row_key(job));
 }
 
 std::optional<Twin> twin_of_branches(const Job& job) {
-    return job.kind != Kind::sweep || job.sweep.gaps().empty() ? std::nullopt : twin(job, job.sweep.gap_key());
+    return job.kind != Kind::sweep || job.sweep.gaps().empty() ? std::nullopt
+                                                               : shared_twin(job, job.sweep.gap_key());
 }
 
 }  // namespace peterka::job

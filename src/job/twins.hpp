@@ -42,6 +42,7 @@ struct Twin {
 
     [[nodiscard]] double value(double of_axis) const { return as_twin(of, of_axis, rig); }
 };
+[[nodiscard]] std::optional<Twin> shared_twin(const Job& job, std::string_view key);  // of any coordinate
 [[nodiscard]] std::optional<Twin> twin_of_columns(const Job& job);
 [[nodiscard]] std::optional<Twin> twin_of_rows(const Job& job);  // not for a sweep
 [[nodiscard]] std::optional<Twin> twin_of_branches(const Job& job);

@@ -8,7 +8,8 @@ namespace {
 
 std::string written(Job job, Style style, const Origins* origins = nullptr) {
     std::string text;
-    TableWriter writer(text, style, origins);
+    const Job original = job;
+    TableWriter writer(text, style, origins == nullptr ? nullptr : &original, origins);
     describe(writer, job);
     return text;
 }

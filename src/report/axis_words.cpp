@@ -71,7 +71,7 @@ std::string frequency_in_words(const job::Job& job, double ratio, double hertz) 
 }
 
 std::string gap_in_words(const job::Job& job, double ratio, double metres) {
-    return job::leads_in_si(job, "gap_m") ? fmt::format("gap {:.4g} mm (gap/A0 {:.6g})", 1e3 * metres, ratio)
+    return job::leads_in_si(job, "gap_m") ? fmt::format("gap {:.6g} mm (gap/A0 {:.6g})", 1e3 * metres, ratio)
                                           : fmt::format("gap/A0 {:.6g} ({:.4g} mm)", ratio, 1e3 * metres);
 }
 

@@ -28,8 +28,8 @@ std::string kicks_summary(const job::Job& job, const findings::KickCounts& count
     if (counts.kicked == 0) return head + "  no cell has an orbit\n";
     const std::string which = job.starts.count > 0 ? ", of its orbit with the largest share" : "";
     return head +
-           fmt::format("  kicks at all phases of the orbit, in {} cells{}\n", readable_count(counts.kicked),
-                       which) +
+           fmt::format("  kicks at all phases of the orbit, in {} {}{}\n", readable_count(counts.kicked),
+                       counts.kicked == 1 ? "cell" : "cells", which) +
            line(counts.thrown, counts.kicked,
                 fmt::format("a kick leads elsewhere, the smallest one found {} at phase {:.3f} cycles",
                             readable_amount(counts.smallest, "m/s", 3), counts.phase)) +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -68,12 +69,17 @@ std::string what_is_known(const StartCounts& counts) {
     std::string text;
     const auto add = [&](std::int64_t cells, const char* what) {
         if (cells == 0) return;
-        text += fmt::format("{} {} in {} cells", text.empty() ? "  known, though no start ended on it:" : ",",
-                            what, readable_count(cells));
+        text += fmt::format("{} {} in {} {}", text.empty() ? "  known, though no start ended on it:" : ",",
+                            what, readable_count(cells), cells == 1 ? "cell" : "cells");
     };
     add(counts.known_free, "a motion without impacts");
     add(counts.known_hit, "one with impacts");
     return text.empty() ? text : text + "\n";
+}
+
+// To so many digits, as a number: 390, where their format alone would say 3.9e+02.
+double rounded(double number, int digits) {
+    return std::stod(fmt::format("{:.{}e}", number, digits - 1));
 }
 
 std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
@@ -81,11 +87,10 @@ std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
     const scene::Cell cell = scene.cell(counts.shortest.row, counts.shortest.column);
     const double cycle = cell.oscillator.period() / cell.scales.frequency_rad_per_s;
     return fmt::format(
-        "  cells with chaos from which starts escape: {}; its mean life, where it is shortest: {:.2g} +- "
-        "{:.1g} s, "
-        "{:.2g} cycles\n",
-        readable_count(counts.dying), counts.shortest.seconds, counts.shortest.error,
-        counts.shortest.seconds / cycle);
+        "  cells with chaos from which starts escape: {}; its mean life, where it is shortest: {:g} +- {:g} s, "
+        "{:g} cycles\n",
+        readable_count(counts.dying), rounded(counts.shortest.seconds, 2), rounded(counts.shortest.error, 1),
+        rounded(counts.shortest.seconds / cycle, 2));
 }
 
 // An attractor with share s is missed by n starts with probability (1 - s)^n.

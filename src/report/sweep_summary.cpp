@@ -138,8 +138,9 @@ class Words {
     }
     [[nodiscard]] std::string one_to_one(const BranchFindings& found) const {
         if (!found.one_to_one) return "no impacts with z = 1/1 have a force";
+        constexpr int as_above = 6;  // where the summary tells the largest force of all
         return fmt::format("{} at {} {}, {}", force(found, *found.one_to_one), label_,
-                           at_axis(value(*found.one_to_one)),
+                           value_in_words(scene_, key_, value(*found.one_to_one), std::max(digits_, as_above)),
                            is_resonance(found) ? "the largest of z = 1/1" : no_maximum(found));
     }
     // Why the largest force is not a resonance. A branch enters a band from one side and leaves it at the

@@ -103,10 +103,9 @@ double cycles_of_kicks(const job::Job& job) {
 // Where several branches share a gap, so do their starts and rigs.
 std::string each_in_words(const job::Job& job, std::int64_t count, std::string_view what) {
     const bool is_sweep = job.kind == job::Kind::sweep;
-    const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
-    return fmt::format("{}{} in each {}, {:.3g} in all", readable_count(count), what,
-                       is_sweep ? "point" : "cell",
-                       static_cast<double>(count) * static_cast<double>(job.cells()) / shared);
+    const std::int64_t cells = job.cells() / (is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
+    return fmt::format("{}{} in each {}, {} in all", readable_count(count), what, is_sweep ? "point" : "cell",
+                       readable_count(count * cells));
 }
 
 }  // namespace

@@ -107,6 +107,18 @@ class Browser:
             canvas, x, y)
         return f"#{red:02X}{green:02X}{blue:02X}"
 
+    def written_on_map(self):
+        """[[words, x, y], ...] of what is written on the map's canvas, x and y in CSS pixels from its corner."""
+        self.driver.execute_script(
+            "window.words = []; const own = CanvasRenderingContext2D.prototype.fillText; window.stop = () => (CanvasRenderingContext2D.prototype.fillText = own);"
+            "CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {"
+            "  const at = this.getTransform().transformPoint(new DOMPoint(x, y));"
+            "  if (this.canvas.id === 'map') window.words.push([text, at.x, at.y]);"
+            "  return own.call(this, text, x, y); };"
+            "document.getElementById('whole').click()")
+        self.settle()
+        return self.ask("(window.stop(), window.words)")
+
     def place(self, column, row, columns, rows):
         """CSS pixels from the map's corner to the centre of a cell, if the whole map is shown."""
         box = self.ask("(({width, height}) => [width, height])(document.getElementById('map').getBoundingClientRect())")

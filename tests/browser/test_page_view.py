@@ -79,7 +79,7 @@ def test_the_read_out_tells_the_cell_under_the_pointer(browser, map_file, map_pa
     force = kept["peak_force_ratio"][row, column]
     if kept["regime"][row, column] == 1:
         assert f"z = {kept['impacts'][row, column]}/{kept['period'][row, column]}" in told
-        newtons, ratio = map(float, re.search(r"([\d.]+) N · ([\d.]+) m g", told).groups())
+        ratio, newtons = map(float, re.search(r"([\d.]+) m g · ([\d.]+) N", told).groups())  # the job's axes are ratios
         assert newtons == pytest.approx(force * 0.298 * 9.80665, rel=1e-3)
         assert ratio == pytest.approx(force, rel=1e-3)
     else:

@@ -37,6 +37,7 @@ REFUSED, SAME, OTHER, TRACEBACK, WORDS = range(5)  # exit codes of a child
 KINDS = {
     "map": jobs.small_map(18, 3) + "[audit]\ncells = 2\n",
     "map with starts": jobs.small_map(5, 3) + "[starts]\ncount = 4\nattractors = 2\n[output]\nfields = [\"critical_kick\"]\n",
+    "map of uncertain rigs": jobs.small_map(5, 3) + "[uncertainty]\nrigs = 20\n[uncertainty.hammer]\nnatural_frequency_hz = { relative = 0.01 }\n",
     "refined map": jobs.small_map(17, 9) + "[refine]\nlevels = 2\n",
     "basin": jobs.small_basin(5),
     "sweep": jobs.small_sweep(3, "up", "[1.5]"),

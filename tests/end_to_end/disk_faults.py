@@ -19,6 +19,7 @@ CAUSES = ("No space left", "Input/output error", "Disk quota exceeded", "Interru
 KINDS = {
     "map": jobs.small_map(18, 3) + "[audit]\ncells = 2\n",
     "map with starts": jobs.small_map(5, 3) + "[starts]\ncount = 4\nattractors = 2\n[output]\nfields = [\"critical_kick\"]\n",
+    "map of uncertain rigs": jobs.small_map(5, 3) + "[uncertainty]\nrigs = 20\n[uncertainty.hammer]\nnatural_frequency_hz = { relative = 0.01 }\n",
     "basin": jobs.small_basin(5),
     "curves": jobs.small_curves(8),
     "curves with distances": jobs.small_curves(8) + "[curves]\nedge_distance = true\n",

@@ -218,5 +218,5 @@ REFUSALS = {
                                                                 + unit.line("frequency", 2.0)), "is what the axis runs over"),
     "a study over starts": (lambda unit: (rig("study") + '[study]\ntopic = "labels"\ntolerances = [1e-5]\n'
                                           + unit.axis("frequency", 1, 2, 3) + unit.axis("velocity", 1, 2, 3, "start.")),
-                            "studies have the plane of frequency_ratio and gap_ratio"),
+                            "studies have the plane of frequency and gap"),
 }

@@ -52,16 +52,16 @@ def cell_fields(file):
 
 
 def slots_of(file):
-    """Names of the datasets stored per attractor of a cell of a map with [starts]."""
-    if "direction" in file or "basin_share" not in file:
-        return []
-    return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape == file["basin_share"].shape]
+    """Names of the datasets stored per attractor of a cell of a map with [starts], or per outcome of its drawn rigs."""
+    shapes = [file[name].shape for name in ("basin_share", "outcome_probability") if name in file and "direction" not in file]
+    return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape in shapes]
 
 
 def own_slots(file):
-    """{name: values} of the slots found by the cell's own starts, 0 in all others: a map's contents before it receives
+    """{name: values} of the slots found by the cell's own starts or rigs, 0 in all others: a map's contents before it receives
     further known motions (for tests with room for all)."""
-    return {name: np.where(file["basin_share"][()] > 0, file[name][()], 0) for name in slots_of(file)}
+    share_of = {name: "outcome_probability" if name.startswith("outcome") else "basin_share" for name in slots_of(file)}
+    return {name: np.where(file[share][()] > 0, file[name][()], 0) for name, share in share_of.items()}
 
 
 def wrong_tiles(path, expected):

@@ -45,6 +45,23 @@ def test_check_prints_the_job_and_its_cost_and_computes_nothing(tmp_path, ranks)
     assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
 
 
+def test_check_tells_defaults_in_the_units_of_the_job(tmp_path):
+    text = jobs.small_map().replace("frequency_ratio", "frequency_hz").replace("gap_ratio", "gap_m")
+    jobs.write(tmp_path, text.replace("to = 5.0", "to = 4e-3") + "[starts]\ncount = 8\n")
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
+    assert checked.returncode == 0, checked.stderr
+    for told in ["displacement_m = 0\n", "velocity_m_per_s = 0\n",
+                 "displacement_m = [-0.00356, 0.00089]\n", "velocity_m_per_s = [-0.100657, 0.100657]\n"]:  # A0 = 0.89 mm
+        assert checked.stdout.count(f" (default), or {told}") == 1, told
+    assert launch.run("check", jobs.write(tmp_path, checked.stdout, "again.toml"), cwd=tmp_path).returncode == 0
+    jobs.write(tmp_path, jobs.small_map())
+    assert "displacement_m" not in launch.run("check", "job.toml", cwd=tmp_path).stdout
+    along_amplitude = text[:text.index("[axes.gap_m]")] + jobs.axis("cart.amplitude_m", 0.5e-3, 1e-3, 4)
+    jobs.write(tmp_path, along_amplitude + "[operating_point]\ngap_m = 1e-3\n")
+    checked = launch.run("check", "job.toml", cwd=tmp_path)  # another number in each cell
+    assert checked.returncode == 0 and "displacement_m" not in checked.stdout, checked.stderr
+
+
 SCENES = {
     "map": jobs.small_map(500, 300),
     "refined map": jobs.small_map(500, 300) + "\n[refine]\nlevels = 3\n",

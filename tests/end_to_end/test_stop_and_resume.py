@@ -15,6 +15,7 @@ import jobs
 import kills
 import launch
 import map_contents
+import uncertain_rigs
 
 
 def run_to_the_end(folder, *arguments, ranks=None, seconds=None):
@@ -129,6 +130,18 @@ def test_kills_at_random_moments_lose_nothing(tmp_path, medium_map_file):
     """tests/endurance.sh kills some hundred more."""
     jobs.write(tmp_path, jobs.medium_map())
     toll = kills.campaign(tmp_path, medium_map_file, 10, random.Random(1))
+    assert toll.harm == 0, toll
+
+
+def test_kills_lose_nothing_of_the_outcomes_of_drawn_rigs(tmp_path):
+    job = uncertain_rigs.small_map(rigs=20, columns=64, rows=64)
+    whole, _ = uncertain_rigs.compute(tmp_path, job, "--quiet", ranks=2)
+    whole = whole.rename(tmp_path / "whole.h5")
+    spoilt = shutil.copy(whole, tmp_path / "spoilt.h5")
+    with h5py.File(spoilt, "r+") as file:
+        file["outcome_period"][0, 20, 39] += 1  # would be seen
+    assert map_contents.wrong_tiles(spoilt, whole) == 1
+    toll = kills.campaign(tmp_path, whole, 6, random.Random(1))
     assert toll.harm == 0, toll
 
 

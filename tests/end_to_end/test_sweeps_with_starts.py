@@ -255,6 +255,6 @@ def test_check_prices_it(tmp_path, sweep_file):
     jobs.write(tmp_path, sweep())
     checked = launch.run("check", "job.toml", cwd=tmp_path)
     assert checked.returncode == 0, checked.stderr
-    assert "24 in each point, 1.2e+03 in all" in checked.stdout
+    assert "24 in each point, 1,200 in all" in checked.stdout
     foretold = float(checked.stdout.split("job.h5, ")[1].split(" kB")[0]) * 1000
     assert 0 <= foretold + 100 - sweep_file.stat().st_size < 20_000

@@ -155,6 +155,19 @@ def test_the_release_test_strikes_after_a_quarter_of_its_period(tmp_path):
         assert not file["cart_displacement_ratio"][()].any()
 
 
+def test_a_cart_at_rest_is_one_of_frequency_0_in_hz_too(tmp_path):
+    settings = 'from = "start"\nduration_s = 0.1\n[start]\ndisplacement_ratio = -5.618'
+    job = jobs.trace(0.0, settings=settings)
+    assert "frequency_ratio = 0.0" in job
+    path, _ = compute(tmp_path, job)
+    with h5py.File(path) as file:
+        force = file["impacts/peak_force_ratio"][()]
+    path, said = compute(tmp_path, job.replace("frequency_ratio = 0.0", "frequency_hz = 0.0"), "--fresh")
+    assert "the cart at rest" in said
+    with h5py.File(path) as file:
+        assert force.max() > 10 and (file["impacts/peak_force_ratio"][()] == force).all()
+
+
 def damaged(source, path):
     shutil.copy(source, path)
     with h5py.File(path, "r+") as file:

@@ -161,7 +161,7 @@ def test_the_summary_tells_what_is_likely(files):
 def test_check_prices_the_draws_and_tells_other_numbers(tmp_path):
     uncertain_rigs.write(tmp_path, SMALL)
     told = launch.run("check", "job.toml", "--set", "contact.damping_ns_per_m=1300", cwd=tmp_path)
-    assert "32 rigs in each cell, 4.48e+04 in all" in told.stdout
+    assert "32 rigs in each cell, 44,800 in all" in told.stdout
     assert "contact.damping_ns_per_m is 1300 in the job, and 1200 where its uncertainty was identified" in told.stdout
     assert "contact.stiffness_n_per_m is" not in told.stdout
     many = launch.run("check", "job.toml", "--set", "uncertainty.hammer.damping_ratio={relative=1.0}", cwd=tmp_path)

@@ -34,6 +34,8 @@ def programs(kind, path):
     yield "draw", [path, *PICTURES]
     if kind == "map with starts":
         yield "operating_point", [path, "--hz", "0.5", "--mm", "0.1", *PICTURES]
+    if kind == "map of uncertain rigs":
+        yield "operating_point", [path, "--hz", "0.5", "--mm", "0.1", "--risk", "0.5", *PICTURES]
     if kind in ("map", "basin"):
         yield "compare", [path, f"{kind}_sound.h5", *PICTURES]
     if kind == "map":

@@ -11,6 +11,7 @@ from sealing import SealedFile
 from study_samples import write_labels, write_stability, write_work_precision
 from sweep_samples import write_sweep, write_sweep_with_starts
 from trace_samples import write_trace
+from uncertain_samples import write_uncertain, write_uncertain_sweep
 
 JOB = """
 [hammer]
@@ -42,9 +43,11 @@ def full_basin(path):
 KINDS = {
     "map": full_map,
     "map with starts": lambda path: write_attractors(path, job=JOB),
+    "map of uncertain rigs": lambda path: write_uncertain(path, rows=5, columns=6),
     "basin": full_basin,
     "sweep": lambda path: write_sweep(path, job=JOB),
     "sweep with starts": write_sweep_with_starts,
+    "sweep of uncertain rigs": write_uncertain_sweep,
     "trace": lambda path: write_trace(path, job=JOB),
     "precision": write_work_precision,
     "labels": write_labels,

@@ -22,17 +22,21 @@ CASES = [
     ("draw", "map with starts", "basin_share: 1e308"), ("draw", "map with starts", "attractor_regime: largest"),
     ("draw", "map with starts", "no start_attractor"), ("draw", "sweep with starts", "basin_share: longer"),
     ("draw", "sweep with starts", "peak_force_ratio: infinite"),
+    ("draw", "sweep of uncertain rigs", "force_q05_ratio: infinite"), ("draw", "sweep of uncertain rigs", "outcome_regime: largest"),
+    ("draw", "map of uncertain rigs", "outcome_probability: infinite"), ("draw", "map of uncertain rigs", "no outcome_period"),
+    ("operating_point", "map of uncertain rigs", "force_q50_ratio: half"),
     ("operating_point", "map with starts", "attractor_peak_force_ratio: 1e308"),
     ("operating_point", "map with starts", "attractor_regime: unsigned"),
     ("compare", "map", "peak_force_ratio: 1e308"), ("compare", "map", "regime: unsigned"),
 ]
-ARGUMENTS = {"scaling": ["--cells", "1e3", "--ranks", "10"], "compare": ["map_sound.h5"]}
+ARGUMENTS = {"scaling": ["--cells", "1e3", "--ranks", "10"], "compare": ["map_sound.h5"],
+             ("operating_point", "map of uncertain rigs"): ["--hz", "0.5", "--mm", "0.1", "--risk", "0.5"]}
 
 
 @pytest.mark.parametrize("program, kind, wanted", CASES)
 def test_a_hostile_file_gets_its_line(tmp_path, run_program, program, kind, wanted):
     (_, path), = hostile_files(kind, tmp_path, lambda what: what == wanted)
-    code, _, errors = run_program(program, path, *ARGUMENTS.get(program, []), "--formats", "png")
+    code, _, errors = run_program(program, path, *ARGUMENTS.get((program, kind), ARGUMENTS.get(program, [])), "--formats", "png")
     assert code in (0, 2), errors
     assert errors.count("\n") == (0 if code == 0 else 1) and "Traceback" not in errors
 

@@ -82,6 +82,41 @@ TEST(EachStatus, VerifiedIsSaidWhereErrorsStayedSmall) {
     EXPECT_NEAR(cell.sensitivity, growth, 1.5);
 }
 
+// Time of blow-up of softening springs without damping, x" = -(1 + cubic x^2) x, from rest at x: by the
+// integral of dx/x' from their energy, in s = x/x0 = 1/(1 - w^2).
+double time_of_blow_up(double cubic, double x) {
+    constexpr int steps = 20'000;
+    double time = 0;
+    for (int n = 0; n < steps; ++n) {
+        const double w = (n + 0.5) / steps;
+        const double s = 1 / (1 - w * w);
+        const double speed = std::sqrt(-(s * s - 1) * (1 + cubic * x * x * (s * s + 1) / 2));
+        time += 2 * w * s * s / speed / steps;
+    }
+    return time;
+}
+
+// Beyond the point where such springs push outward nothing holds the hammer, and no stop is met on the way.
+TEST(EachStatus, NotFiniteIsSaidWhereSofteningSpringsThrowTheHammerBeyondAnyBound) {
+    constexpr double cubic = -0.01;  // pushes outward beyond 10 A0
+    constexpr double start = -30;
+    for (const scene::ContactLaw<double>& stop :
+         {scene::ContactLaw<double>(scene::Restitution<double>{0.98}),
+          scene::ContactLaw<double>(paper_rig(beam_170mm, 2, 1).kelvin_voigt())}) {
+        auto oscillator = paper_rig(beam_170mm, 2, 1);
+        oscillator.contact = stop;
+        oscillator.cubic = cubic;
+        ASSERT_LT(time_of_blow_up(cubic, start), 3 * oscillator.period());
+        for (const Engine engine : {Engine::cvode, Engine::arkode}) {
+            const CellResult cell = find_steady_state(oscillator, {start - oscillator.gap, 0}, {},
+                                                      {.engine = engine, .tolerance = 1e-9});
+            EXPECT_EQ(cell.regime, Regime::failed);
+            EXPECT_EQ(cell.status, Status::not_finite);
+            EXPECT_LE(cell.cycles, 3);
+        }
+    }
+}
+
 // Without its cubic spring this cell settles in time; with it, errors first grow by e^20.
 TEST(EachStatus, RoundingIsSaidWhereTheSecondSearchFindsIt) {
     const double frequency = 4.4642798737504297;

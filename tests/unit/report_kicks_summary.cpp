@@ -103,7 +103,7 @@ TEST(KicksSummary, OfACellsOwnMotionSaysNothingOfOthers) {
     add_kick(counts, cell);
     add_kick(counts, StoredCell{});
     const std::string text = kicks_summary(job_with_kicks(0), counts);
-    EXPECT_NE(text.find("in 1 cells\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("in 1 cell\n"), std::string::npos) << text;
     EXPECT_NE(text.find("none found up to 4.5 m/s"), std::string::npos) << text;
     EXPECT_EQ(text.find("alone"), std::string::npos) << text;
     EXPECT_EQ(text.find("verified"), std::string::npos) << text;

@@ -142,12 +142,12 @@ TEST(Summary, ForcesInWeightsNewtonsHertzAndMillimetres) {
 TEST(Summary, AJobInHertzAndMetresIsToldInTheseFirst) {
     job::Job job = job_of(job::Kind::map);
     job.columns = {2.25, 20.25, 41, job::Spacing::linear, "frequency_hz"};
-    job.rows = {0.0, 4.45e-3, 51, job::Spacing::linear, "gap_m"};
+    job.rows = {0.0, 4.4517e-3, 51, job::Spacing::linear, "gap_m"};
     const std::string text =
         summary_text({scene::Scene(job), {statistics_of_a_hundred_cells(), {}, {}}, "maps/a.h5", {3, 12.5}});
     EXPECT_TRUE(contains(line_with(text, "of all"), "200 N = 80 weights  ")) << text;
-    EXPECT_TRUE(
-        contains(line_with(text, "of all"), "frequency 11.25 Hz (Omega/omega 2.5), gap 0.89 mm (gap/A0 1)"))
+    EXPECT_TRUE(contains(line_with(text, "of all"),
+                         "frequency 11.25 Hz (Omega/omega 2.5), gap 0.89034 mm (gap/A0 1.00038)"))
         << text;
 }
 

@@ -78,6 +78,7 @@ def worst_of_boxes(admitted: Admitted, rows: Reach, columns: Reach, codes: Colle
 
 def over_box(values: Reals, rows: Reach, columns: Reach, filtered: Callable) -> Reals:
     """A filter over the box around each cell, separable: along the rows, then along the columns, for each box size that occurs."""
+    values = np.asarray(values, dtype=float)  # scipy's filters know no half precision
     for axis, along in ((0, rows), (1, columns)):
         wide = np.empty_like(values)
         for before, after in np.unique(np.column_stack([along.before, along.after]), axis=0).tolist():

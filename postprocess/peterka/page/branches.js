@@ -8,12 +8,12 @@ const MANY_MARKS = 20000;
 // The values of a layer as heights of the points.
 class Heights {
   constructor(layer) {
-    const force = layer.name === "peak_force_ratio";
+    const force = layer.over_weight === true;
     const inAmplitudes = layer.name.endsWith("_displacement");
     const [name, factor, unit] = force ? ["F/(m g)", content.newtons, "N"]
       : inAmplitudes ? [layer.name.startsWith("impact") ? "x/A₀ at first touch" : "x/A₀ at forcing phase 0", 1000 * content.amplitude_m, "mm"] : [layer.title, null, ""];
     Object.assign(this, { name: layer.name, symbol: name + (layer.unit !== "1" ? ` (${layer.unit})` : ""), factor: factor || null, unit,
-      about: force ? "peak force" : "x", log: false });
+      about: force ? layer.title : "x", log: false, leadsInSi });
     let [low, high] = [Infinity, -Infinity];
     const count = layer.rows * layer.samples * file.columns.values.length;
     for (let i = 0; i < count; ++i) {

@@ -58,6 +58,7 @@ class CellPanel {
     const { regime, impacts, period, peak_force_ratio: force } = this.inFile;
     this.#headline({ regime, impacts, period, peak_force_ratio: force, weight_n: content.newtons });
     this.element("proof").textContent = refusal;
+    this.#tellOutcomes(this.inFile);
   }
   #take(data) {
     const { answer } = data;
@@ -71,12 +72,18 @@ class CellPanel {
     this.element("proof").textContent = integrator
       ? "Its cubic spring is too strong for the closed form; the integrator that carries it is not in the page."
       : proof(answer, data.multipliers);
+    if (this.stored) this.#tellOutcomes(this.stored);
     this.#compare(answer);
     this.#numbers(answer);
     if (this.stored) this.#tellProof(this.stored);
     if (this.start) this.#keepStart(answer);
     this.#showMotion();
     if (this.element("basin").checked && !this.charts.basin) this.#basinOn();
+  }
+  // The motion shown is that of the job's own rig; the drawn ones may end in others.
+  #tellOutcomes({ row, column }) {
+    const outcomes = outcomeWords(row, column);
+    if (outcomes) this.element("proof").append(` That is the job’s own rig. Of those drawn around it: ${outcomes}.`);
   }
   #headline({ regime, impacts, period, peak_force_ratio: force, weight_n: weight, chatter }) {
     const kind = classOf(regime, impacts, period);
@@ -99,7 +106,7 @@ class CellPanel {
   #numbers(answer) {
     const force = answer.peak_force_ratio;
     const rows = [
-      ["peak force", force > 0 ? `${number(force * answer.weight_n, "N")} = ${number(force, "m g")}` : number(force, "m g")],
+      ["peak force", force > 0 ? inOrder(number(force * answer.weight_n, "N"), number(force, "m g")).join(" = ") : number(force, "m g")],
       ["impact speed", number(1000 * answer.impact_speed, "mm/s")],
       ["impulse", amount(answer.impulse, "N s")],
       ["time pressed", timeWords(answer.contact_time)],

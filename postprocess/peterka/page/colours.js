@@ -79,6 +79,22 @@ function wordPainter(layer, entries) {
   };
 }
 
+// The class of each cell's commonest outcome; -1 where nothing is computed.
+function commonestKinds() {
+  const [regime, impacts, period, probability] = ["regime", "impacts", "period", "probability"].map((part) => file.layer(`outcome_${part}[0]`).plane);
+  return Int16Array.from({ length: toldCells }, (_, cell) => (probability.at(cell) > 0 ? classOf(regime.at(cell), impacts.at(cell), period.at(cell)) : -1));
+}
+
+// One colour per class of these.
+function kindPainter(kinds) {
+  return (out, from, first, columns, y) => {
+    for (let x = 0; x < columns.length; ++x) {
+      if (columns[x] < 0) out[from + x] = 0;
+      else out[from + x] = kinds[first + columns[x]] < 0 ? hatched(x, y) : CLASS_COLOURS[kinds[first + columns[x]]];
+    }
+  };
+}
+
 const isWords = (layer) => layer.words !== undefined || layer.name === "attractor";
 const CATEGORY_COLOURS = ["#F2F2F2", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442"];
 
@@ -130,6 +146,12 @@ function fileCounts() {
   const labels = new Array(table.length).fill(0);
   for (let cell = 0; cell < toldCells; ++cell) ++labels[raw[cell]];
   labels.forEach((count, label) => (counts[table[label][3]] += count));
+  return counts;
+}
+
+function kindCounts(kinds) {
+  const counts = new Array(content.classes.length).fill(0);
+  for (const kind of kinds) ++counts[kind < 0 ? MISSING : kind];
   return counts;
 }
 

@@ -10,11 +10,14 @@ const blobOf = (number) => {
   return unpacked(text);
 };
 
+// Whether forces and lengths are told in N and mm first, as the job gives its coordinates in SI units.
+const leadsInSi = content.in_si.length > 0;
+
 // Ratios along one side. `place` is linear on the screen: the ratio or its logarithm. Cells extend half-way to their neighbours.
 class Axis {
   // `factor` of the description: from the values to Hz, mm or mm/s; null if the file does not give it.
   constructor(description) {
-    Object.assign(this, description);
+    Object.assign(this, description, { leadsInSi: content.in_si.includes(description.name) });
     const places = this.values.map((value) => this.place(value));
     const last = places.length - 1;
     this.edges = new Float64Array(places.length + 1);
@@ -103,6 +106,20 @@ const file = {
     const [lower, upper] = ["lower", "upper"].map((side) => this.number(speed ? `impact_speed_${side}` : `peak_force_${side}_ratio`, row, column));
     const factor = speed ? 1000 : content.newtons ?? 1;
     return { fromStart: certified > 1, lower: lower * factor, upper: upper * factor, unit: speed ? "mm/s" : content.newtons ? "N" : "m g" };
+  },
+  // What the drawn rigs of a cell end in, the commonest first, as [{regime, impacts, period, probability}, ...]; [] in a file
+  // without them, or of which they aren't loaded.
+  outcomes(row, column) {
+    const parts = ["regime", "impacts", "period", "probability"];
+    const found = [];
+    for (let slot = 0; this.layer(`outcome_regime[${slot}]`); ++slot) {
+      const one = Object.fromEntries(parts.map((part) => [part, this.number(`outcome_${part}[${slot}]`, row, column)]));
+      if (one.probability > 0) found.push(one);
+    }
+    return found;
+  },
+  async loadOutcomes() {
+    await Promise.all(this.layers.filter(({ name }) => /^outcome_\w+\[/.test(name)).map((layer) => this.loadLayer(layer)));
   },
   layer(name) {
     return this.layers.find((one) => one.name === name);

@@ -25,7 +25,12 @@ MOST_CELLS = 2**24  # limit of a page; --every takes a part of a larger map
 MOST_LABELS = 65536
 LABELS = ("regime", "impacts", "period")
 TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", "cycles": "cycles spent",
-          "contact_power_w": "contact power", "mean_life_s": "mean life", "mean_life_error_s": "mean life error"}
+          "contact_power_w": "contact power", "mean_life_s": "mean life", "mean_life_error_s": "mean life error",
+          "force_q05_ratio": "force that 95 % of drawn rigs reach", "force_q50_ratio": "median force of drawn rigs",
+          "force_q95_ratio": "force that 5 % of drawn rigs exceed", "speed_q05": "impact speed that 95 % of drawn rigs reach",
+          "speed_q50": "median impact speed of drawn rigs", "speed_q95": "impact speed that 5 % of drawn rigs exceed",
+          "outcome_others": "probability of rarer outcomes",
+          "outcomes": "number of outcomes"}
 TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
 
@@ -78,9 +83,10 @@ def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: i
     """({description}, bytes) of values of a dataset, (rows, columns), under a name: exact, or shortened to fit into `room` bytes."""
     description: dict[str, Any] = {
         "name": name,
-        "title": _title(dataset) + name[len(dataset):].replace("[", " ").replace("]", ""),
+        "title": _title(dataset, name[len(dataset):]),
         "about": str(file.data.attribute("long_name", dataset) or ""),
         "unit": str(file.data.attribute("units", dataset) or "1"),
+        "over_weight": "force" in dataset and dataset.endswith("_ratio"),
     }
     if values.dtype.kind in INTEGER:
         description |= _words(file, dataset)
@@ -100,11 +106,13 @@ def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:
         return None
 
 
-def _title(dataset):
-    """In words, and without the unit, which is told beside it."""
+def _title(dataset, slot=""):
+    """In words, and without the unit, which is told beside it. `slot`: "[0]" of the first of several, or ""."""
+    if dataset == "outcome_probability":  # its slots are in order
+        return "probability of the commonest outcome" if slot == "[0]" else f"probability of outcome {int(slot[1:-1]) + 1}"
     axis = next((axis for axis in SPOKEN if dataset.endswith(f"_{axis}")), None)
     name = dataset if axis is None else dataset.removesuffix(axis) + SPOKEN[axis][0]
-    return TITLES.get(dataset, name.replace("_", " "))
+    return TITLES.get(dataset, name.replace("_", " ")) + slot.replace("[", " ").replace("]", "")
 
 
 def _shortened(values, room):

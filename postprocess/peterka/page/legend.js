@@ -1,25 +1,30 @@
 // The legend of the layer shown: classes and words with their shares, or a colour scale.
 
+// What is told in SI units, "" or null if it can't be, and as a ratio: the job's own unit first.
+const inOrder = (si, ratio, first = leadsInSi) => (first ? [si, ratio] : [ratio, si]).filter(Boolean);
+
 // counts: cells of each class of a live map, whose shares replace the file's.
 function drawLegend(parent, layer, counts = undefined) {
   parent.replaceChildren();
   if (layer.name === "z") return entriesInto(parent, classEntries(counts));
   if (layer.name === "regime") return entriesInto(parent, regimeEntries(counts));
+  if (layer.name === "commonest") return entriesInto(parent, classEntries(kindCounts(commonestKinds())));
   if (isWords(layer)) return entriesInto(parent, wordEntries(layer));
   const bar = Object.assign(document.createElement("div"), { className: "bar" });
   bar.style.background = `linear-gradient(to right, ${content.viridis.filter((_, i) => i % 15 === 0).join(", ")})`;
   const scale = Object.assign(document.createElement("div"), { className: "scale" });
-  for (const value of ticksBetween(layer.low, layer.top, 5).values) scale.append(tickOf(layer, value));
+  const newtons = (layer.over_weight && content.newtons) || null;
+  const first = newtons && leadsInSi ? newtons : 1; // of the unit whose ticks are round
+  for (const value of ticksBetween(layer.low * first, layer.top * first, 5).values) scale.append(tickOf(layer, value / first, newtons));
   const about = Object.assign(document.createElement("div"), { className: "about", textContent: aboutLayer(layer) });
   parent.append(about, bar, scale);
   entriesInto(parent, classEntries(counts).filter(({ number: kind }) => APART.includes(kind)));
 }
 
-function tickOf(layer, value) {
+function tickOf(layer, value, newtons) {
   const tick = document.createElement("span");
   tick.style.left = `${(100 * (value - layer.low)) / (layer.top - layer.low)}%`;
-  const newtons = layer.name === "peak_force_ratio" && content.newtons;
-  tick.textContent = digits(value, 3) + (newtons ? `\n${digits(value * newtons, 3)} N` : "");
+  tick.textContent = inOrder(newtons && `${digits(value * newtons, 3)} N`, digits(value, 3)).join("\n");
   return tick;
 }
 

@@ -3,17 +3,24 @@
 const USUAL_AXES = ["frequency_ratio", "gap_ratio", "displacement_ratio", "velocity_ratio"];
 const Z_LAYER = { name: "z", title: "z = p/q" };
 const REGIME_LAYER = { name: "regime", title: "regime" };
+const COMMONEST_LAYER = { name: "commonest", title: "commonest outcome" };
+const OF_OUTCOMES = /^outcome_(regime|impacts|period)\[/; // parts of what is told as a whole
 
 function painterOf(layer) {
   if (layer === Z_LAYER) return classPainter();
   if (layer === REGIME_LAYER) return classPainter(REGIME_COLOURS);
+  if (layer === COMMONEST_LAYER) return kindPainter(commonestKinds());
   return isWords(layer) ? wordPainter(layer, wordEntries(layer)) : numberPainter(layer);
 }
 
 class MapPage extends Page {
-  layers = [Z_LAYER, REGIME_LAYER, ...file.layers];
+  layers = [Z_LAYER, REGIME_LAYER, ...(file.layer("outcome_regime[0]") ? [COMMONEST_LAYER] : []), ...file.layers.filter(({ name }) => !OF_OUTCOMES.test(name))];
   place = null; // [across, up] of the selected cell
 
+  async load() {
+    await super.load();
+    await file.loadOutcomes();
+  }
   makeView(tell) {
     return new MapView(element("map"), element("map-top"), tell);
   }
@@ -66,6 +73,8 @@ class MapPage extends Page {
     const parts = [bothUnits(file.columns, file.columns.values[cell.column]), bothUnits(file.rows, file.rows.values[cell.row]),
       labelWords(regime, impacts, period), this.forceWords(force)];
     if (this.layer.blob !== undefined && this.layer.name !== "peak_force_ratio") parts.push(this.layerWords(cell.row, cell.column));
+    const outcomes = outcomeWords(cell.row, cell.column);
+    if (outcomes) parts.push(`drawn rigs: ${outcomes}`);
     if (this.view.patch) parts.unshift("in the file:");
     out.textContent = parts.filter(Boolean).join("   ");
   }

@@ -67,11 +67,12 @@ class Page {
   }
   // The file's data for a target: the force, and a value of the layer shown, in words.
   forceWords(force) {
-    return force > 0 ? `${content.newtons ? `${digits(force * content.newtons, 4)} N · ` : ""}${digits(force, 4)} m g` : "";
+    return force > 0 ? inOrder(content.newtons && `${digits(force * content.newtons, 4)} N`, `${digits(force, 4)} m g`).join(" · ") : "";
   }
   layerWords(row, column, sample = 0) {
     const { layer } = this;
     const value = file.number(layer.name, row, column, sample);
+    if (layer.over_weight) return `${layer.title} ${this.forceWords(value) || digits(value, 4)}`;
     const words = layer.words?.[value]?.replaceAll("_", " ") ?? digits(value, 5);
     return `${layer.title} ${words}${layer.unit && layer.unit !== "1" ? ` ${layer.unit}` : ""}`;
   }
@@ -151,7 +152,7 @@ function bothUnits({ name, symbol, factor, unit }, value, count = 5) {
   const ratio = `${symbol} ${digits(value, count)}`;
   if (!factor) return ratio;
   const si = `${digits(value * factor, Math.max(count, 5) - 1)} ${unit}`;
-  return content.in_si.includes(name) ? `${si} · ${ratio}` : `${ratio} · ${si}`;
+  return inOrder(si, ratio, content.in_si.includes(name)).join(" · ");
 }
 
 function factsWords(size) {

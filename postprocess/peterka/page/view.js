@@ -2,6 +2,14 @@
 // canvas on top holds moving elements. Subclasses draw and find the contents of the plane: drawContent(), drawMarks(),
 // targetAt(event) and walk(right, up, from).
 
+// The scales of an axis, {factor, words}: of its ratios and, if it has one, of its values in Hz, mm or N, the job's own first.
+function scalesOf({ symbol, about, unit, factor, leadsInSi: first }) {
+  const ratios = { factor: 1, words: symbol };
+  if (!factor) return [ratios];
+  const si = { factor, words: `${about} (${unit})` };
+  return first ? [si, ratios] : [ratios, si];
+}
+
 class PlaneView {
   // axes: {x, y}, each with edges, place(value), value(place), narrowest, and words and factor of its scales.
   constructor(below, above, axes, tell) {
@@ -42,17 +50,18 @@ class PlaneView {
     pen.strokeStyle = ink("ink");
     pen.strokeRect(left - 0.5, top - 0.5, width + 1, height + 1);
     pen.fillStyle = ink("ink");
-    this.#ticks(this.axes.x, 1, width / (60 * letter), (at) => [at, top + height, 0, 5]);
-    this.#ticks(this.axes.y, 1, height / (45 * letter), (at) => [left, at, -5, 0]);
-    if (this.axes.x.factor) this.#ticks(this.axes.x, this.axes.x.factor, width / (60 * letter), (at) => [at, top, 0, -5]);
-    if (this.axes.y.factor) this.#ticks(this.axes.y, this.axes.y.factor, height / (45 * letter), (at) => [left + width, at, 5, 0]);
+    const [[below, above], [before, behind]] = [scalesOf(this.axes.x), scalesOf(this.axes.y)];
+    this.#ticks(this.axes.x, below.factor, width / (60 * letter), (at) => [at, top + height, 0, 5]);
+    this.#ticks(this.axes.y, before.factor, height / (45 * letter), (at) => [left, at, -5, 0]);
+    if (above) this.#ticks(this.axes.x, above.factor, width / (60 * letter), (at) => [at, top, 0, -5]);
+    if (behind) this.#ticks(this.axes.y, behind.factor, height / (45 * letter), (at) => [left + width, at, 5, 0]);
     this.base.write(12);
     pen.textAlign = "center";
     pen.textBaseline = "alphabetic";
-    pen.fillText(this.axes.x.symbol, left + width / 2, top + height + 34 * letter);
-    if (this.axes.x.factor) pen.fillText(`${this.axes.x.about} (${this.axes.x.unit})`, left + width / 2, 13 * letter);
-    this.base.sideways(this.axes.y.symbol, 10 * letter, top + height / 2);
-    if (this.axes.y.factor) this.base.sideways(`${this.axes.y.about} (${this.axes.y.unit})`, left + width + 53 * letter, top + height / 2);
+    pen.fillText(below.words, left + width / 2, top + height + 34 * letter);
+    if (above) pen.fillText(above.words, left + width / 2, 13 * letter);
+    this.base.sideways(before.words, 10 * letter, top + height / 2);
+    if (behind) this.base.sideways(behind.words, left + width + 53 * letter, top + height / 2);
   }
   #ticks(axis, factor, count, place) {
     const alongX = axis === this.axes.x;

@@ -60,6 +60,14 @@ function proofWords({ reason, fromStart, lower, upper, unit }) {
   return ["proved", fromStart ? `${what}, and that the start leads there` : what];
 }
 
+// What the rigs drawn for a cell end in; "" in a file without any.
+function outcomeWords(row, column) {
+  const kept = file.outcomes(row, column);
+  const words = kept.map(({ regime, impacts, period, probability }) => `${percent(probability)} ${labelWords(regime, impacts, period).replace("z = ", "")}`);
+  const rest = 1 - kept.reduce((sum, { probability }) => sum + probability, 0);
+  return [...words, kept.length > 0 && rest > 1e-9 ? `${percent(rest)} others` : ""].filter(Boolean).join(", ");
+}
+
 // The proof behind the engine's answer.
 function proof(answer, multipliers) {
   const open = answer.regime < UNRESOLVED && answer.status > 0 ? ` But ${WHY[answer.status]}.` : "";

@@ -127,7 +127,11 @@ class SweepFile(OpenedFile):
     def force_quantiles(self, branch: Branch) -> Reals:
         """Of QUANTILES over the drawn rigs, (3, points): of forces [F/(m g)], or of impact speeds [m/s]."""
         names = quantiles(self.data)
-        return np.array([self.data.values(names[share], branch.row) for share in QUANTILES], dtype=float)
+        values = np.array([self.data.values(names[share], branch.row) for share in QUANTILES], dtype=float)
+        for share, row in zip(QUANTILES, values):
+            if np.isinf(row).any():
+                raise self.refusal(f"has an infinite {names[share]}")
+        return values
 
     def check_content(self) -> None:
         """Sets the documented members; raises PeterkaFileError for invalid content."""
