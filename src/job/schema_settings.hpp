@@ -108,6 +108,7 @@ void describe_settings(Walker& file, Job& job) {
         describe_anonymous(table, job.output);
     });
     file.rule({"output"}, [&] { return rule_of_kick(job); });
+    file.rule({"output", "contact"}, [&] { return rule_of_elasticities(job); });
     if (job.kind == Kind::sweep) {
         file.refuse("audit",
                     "is for maps and basins; a point of a sweep starts from the one before it; audit a map of "

@@ -17,6 +17,9 @@ namespace peterka {
 // The time that [certificate] takes, as a line of check; empty if not requested.
 [[nodiscard]] std::string certificate_price(const job::Job& job);
 
+// The time that requested elasticities take, as a line of check; empty if there are none.
+[[nodiscard]] std::string elasticities_price(const job::Job& job);
+
 // The time that [starts] take, as a line of check; empty if there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 

@@ -8,6 +8,7 @@
 
 #include "attractors/multi_start_pool.hpp"
 #include "run/certify_cell.hpp"
+#include "run/elasticities.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -20,6 +21,7 @@ class TileSolver {
         : scene_(scene),
           work_(work),
           source_(source),
+          elasticities_(scene.job()),
           pool_(scene, known, [this](auto solved) { keep(std::move(solved)); }) {}
 
     void solve() {
@@ -68,12 +70,14 @@ class TileSolver {
     }
 
     void keep(attractors::MultiStartPool::NumberedCell cell) {
-        const Stopwatch certifying;
+        const Stopwatch afterwards;
         Open& open = open_.at(cell.number / most_cells);
         const auto i = static_cast<std::size_t>(cell.number % most_cells);
         open.results[i] = std::move(cell.cell);
-        certify_cell(scene_.job(), open.cells[i].row, open.cells[i].column, open.results[i].cell);
-        open.seconds += cell.seconds + certifying.seconds();
+        const parallel::CellIndex& place = open.cells[i];
+        certify_cell(scene_.job(), place.row, place.column, open.results[i].cell);
+        elasticities_.add_to(place.row, place.column, open.results[i].cell);
+        open.seconds += cell.seconds + afterwards.seconds();
         if (++open.solved < open.cells.size()) return;
         solve(open, work_.go_on(open.tile, open.results, open.seconds));
     }
@@ -83,6 +87,7 @@ class TileSolver {
     const scene::Scene& scene_;
     const TileWork& work_;
     parallel::TileSource& source_;
+    RequestedElasticities elasticities_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile
     std::deque<Open*> waiting_;                    // with cells still to be added
     attractors::MultiStartPool pool_;
