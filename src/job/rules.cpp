@@ -138,7 +138,8 @@ std::string rule_of_elasticities(const Job& job) {
             return fmt::format(
                 "{}, and contact.law is \"hunt_crossley\"; elasticities are derivatives of motions in closed "
                 "form "
-                "or by power series, which a force like delta^n has not; remove the field, or compare two maps",
+                "or by power series, which a force like delta^n does not have; remove the field, or compare "
+                "two maps",
                 asked);
         }
         const bool of_force = keeping.field_of_all == OptionalField::force_elasticity;
