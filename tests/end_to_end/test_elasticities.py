@@ -14,6 +14,7 @@ import map_contents
 
 RIGID, CUBIC = "rigid", "cubic"
 STEP = 1e-4
+OF_CUBIC = ("hammer.cubic_stiffness_n_per_m3", "cart.amplitude_m", "gap_m")
 VALUES = {"hammer.mass_kg": 0.298, "hammer.natural_frequency_hz": 4.5, "hammer.damping_ns_per_m": 0.06, "cart.amplitude_m": 0.89e-3,
           "contact.stiffness_n_per_m": 5.5e6, "contact.damping_ns_per_m": 1.2e3}
 AXES = {"frequency_hz": (5.0, 11.0), "gap_m": (0.1e-3, 1.3e-3)}
@@ -60,11 +61,12 @@ def test_they_are_the_differences_of_two_runs(tmp_path, stop):
         values["hammer.cubic_stiffness_n_per_m3"] = 2e6
         values["contact.stiffness_n_per_m"], values["contact.damping_ns_per_m"] = 2.5e5, 1.5e2
         sets = [f"--set={key}={value}" for key, value in values.items()]
-    points = 5 if stop == CUBIC else 9
+    points = 3 if stop == CUBIC else 9
+    told = [key for key in [*values, *AXES] if stop != CUBIC or key in OF_CUBIC]
     own, _ = compute(tmp_path, change(job(what, points=points)), *sets)
     periodic = own["regime"] == 1
     assert periodic.sum() > 0.3 * periodic.size
-    for key in [*values, *AXES]:
+    for key in told:
         elasticity = own[f"{what}_elasticity_{key.replace('.', '_')}"]
         assert np.isfinite(elasticity[periodic]).mean() > 0.97 and np.isnan(elasticity[~periodic]).all()
 
@@ -92,8 +94,8 @@ def test_small_spreads_propagate_linearly(tmp_path):
     parts = [cells[f"force_elasticity_{key}"] * deviation for key, deviation in SPREAD.items()]
     parts.append(cells["force_elasticity_gap_m"] * OFFSET / cells["gap_m"][:, None])
     deviation = np.sqrt(sum(np.square(part) for part in parts))
-    half = (cells["force_q95_ratio"] - cells["force_q05_ratio"]) / 2 / cells["peak_force_ratio"]
-    ratio = (half / (1.6449 * deviation))[smooth]
+    half = (cells["force_q95_ratio"] - cells["force_q05_ratio"]) / 2
+    ratio = half[smooth] / (1.6449 * deviation * cells["peak_force_ratio"])[smooth]
     assert smooth.sum() > 20 and 0.98 < np.median(ratio) < 1.02 and np.mean(np.abs(ratio - 1) < 0.1) > 0.8
     of_1_1 = smooth & (cells["impacts"] == 1) & (cells["period"] == 1)
     share = np.median((np.square(parts[1]) / np.square(deviation))[of_1_1])

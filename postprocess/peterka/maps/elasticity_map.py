@@ -24,9 +24,9 @@ from .map_file import PeterkaFile
 from .reduce import LIMIT, block_size, class_picture, largest, with_edges
 
 WIDTH = 3.7  # in
-TOP = 99.0  # percentile of the sizes at which the scale ends
+TOP = 95.0  # percentile of the sizes at which the scale ends: near folds they have no bound
 COLOURS = "RdBu_r"
-OTHERS = [("no elasticity", "#F2F2F2", ""), ("not computed yet", "#FFFFFF", "")]
+OTHERS = [("no elasticity", "#CFCFCF", ""), ("not computed yet", "#FFFFFF", "")]
 # Of each number, after which the dataset is named: its colour, and its hatching in the grey palette.
 NUMBERS = {
     "frequency_hz": ("#0072B2", ""),
