@@ -76,10 +76,7 @@ class SolvedOrbit {
         const double time = springs_.lift_off = enclosed.lift_off.middle();
         chain_ = find_chatter(enclosed, springs_, orbit);
         if (!chain_) return false;
-        // one step of Newton's method at its zero differentiates it
-        const auto angle = sine_cosine(dual_.flight.frequency() * Dual(time));
-        const Dual rate = dual_.flight.jerk({0, 0}, 0, angle);
-        dual_.lift_off = Dual(time) - dual_.flight.acceleration({0, 0}, angle.sine) / Dual(rate.value);
+        dual_.lift_off = time;  // whose shift doesn't matter: the hammer leaves from rest, without acceleration
         std::vector<Place<Interval>> places;
         for (const certificate::Event& event : chain_->events) places.push_back({event.time, event.along});
         return impacts_with_chatter(enclosed, *chain_, places) == orbit.impacts;
