@@ -11,7 +11,7 @@ from typing import Any
 
 from .files.opened import OpenedFile, Source
 from .maps import (
-    attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, force_map, last_impact, number_map,
+    attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, elasticity_map, force_map, last_impact, number_map,
     peterka_map, proved_map, quantity_map, uncertain_map,
 )
 from .maps.curves_file import CurvesFile, Lines, UnstableBranch
@@ -63,6 +63,9 @@ PICTURES = [
       for name in quantity_map.TITLES),
     *(Row(name, ("map",) if name.startswith("orbit") else PLANES, partial(number_map.draw, name=name),
           _holds("numbers", name)) for name in number_map.NUMBERS),
+    *(Row(f"elasticity_{number}", ("map",), partial(elasticity_map.draw, number=number), partial(elasticity_map.has, number=number))
+      for number in elasticity_map.NUMBERS),
+    Row("depends_most", ("map",), elasticity_map.draw_most, elasticity_map.has_two),
     Row("last_impact", PLANES, last_impact.draw, lambda file: file.has_last_impact),
     Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
     Row("attractors", ("map",), attractor_maps.draw_number, lambda file: file.slots > 0),

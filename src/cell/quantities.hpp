@@ -34,6 +34,29 @@ enum class OptionalField {
     force_per_cycle,
     last_impact,
     critical_kick,
+    force_elasticity,  // by each number of the job
+    speed_elasticity,
+    force_by_frequency_hz,
+    force_by_gap_m,
+    force_by_hammer_mass_kg,
+    force_by_hammer_natural_frequency_hz,
+    force_by_hammer_stiffness_n_per_m,
+    force_by_hammer_damping_ns_per_m,
+    force_by_hammer_damping_ratio,
+    force_by_hammer_cubic_stiffness_n_per_m3,
+    force_by_cart_amplitude_m,
+    force_by_contact_stiffness_n_per_m,
+    force_by_contact_damping_ns_per_m,
+    speed_by_frequency_hz,
+    speed_by_gap_m,
+    speed_by_hammer_mass_kg,
+    speed_by_hammer_natural_frequency_hz,
+    speed_by_hammer_stiffness_n_per_m,
+    speed_by_hammer_damping_ns_per_m,
+    speed_by_hammer_damping_ratio,
+    speed_by_hammer_cubic_stiffness_n_per_m3,
+    speed_by_cart_amplitude_m,
+    speed_by_contact_coefficient,
 };
 
 // The unit in the file; scene/scales.hpp converts from nondimensional numbers. A speed_of_file has its unit
@@ -96,6 +119,11 @@ struct StorageRule {
     StoredWhen kept = StoredWhen::always;
     std::optional<OptionalField> field = {};
     const char* field_name = nullptr;  // nullptr: the quantity's own name
+    // Of an elasticity: the number by which it is one, as axes name it (job/axis_quantity.hpp), and the field
+    // that requests it together with those by all other numbers that the job gives.
+    const char* by_number = nullptr;
+    std::optional<OptionalField> field_of_all = {};
+    const char* name_of_all = nullptr;
 };
 
 inline constexpr int newest_layout = 3;  // of files
@@ -198,6 +226,16 @@ inline constexpr StorageRule of_their_forces{StoredWhen::of_uncertain_rigs_with_
 inline constexpr StorageRule of_their_speeds{StoredWhen::of_uncertain_rigs_on_rigid_stops};
 inline constexpr StorageRule of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
+constexpr StorageRule force_by(OptionalField field, const char* number) {
+    return {StoredWhen::on_request, field, nullptr, number, OptionalField::force_elasticity,
+            "force_elasticity"};
+}
+constexpr StorageRule speed_by(OptionalField field, const char* number) {
+    return {StoredWhen::on_request, field, nullptr, number, OptionalField::speed_elasticity,
+            "speed_elasticity"};
+}
+template <std::size_t n>
+inline constexpr Member<Result> elasticity = member([](auto& cell) -> auto& { return cell.elasticities[n]; });
 
 using enum Filled;
 using enum Recorded;
@@ -214,6 +252,11 @@ inline constexpr const char* kick_lower_words =
     "a verified lower bound of the critical kick: up to this size they lead back; NaN where none is known";
 inline constexpr const char* kick_direction_words =
     "whether the critical kick is towards the stop (1) or away from it (-1); 0 where there is none";
+
+inline constexpr const char* force_words =
+    "relative change of the orbit's peak impact force [N] per relative change of this number of the job";
+inline constexpr const char* speed_words =
+    "relative change of the orbit's largest impact speed [m/s] per relative change of this number of the job";
 
 // clang-format off
 inline constexpr Quantity rows[] = {
@@ -248,6 +291,27 @@ inline constexpr Quantity rows[] = {
     {"critical_kick_tried", member([](auto& cell) -> auto& { return cell.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_lower", member([](auto& cell) -> auto& { return cell.kick.lower; }), speed, kick_lower_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_direction", member([](auto& cell) -> auto& { return cell.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
+    {"force_elasticity_frequency_hz", elasticity<0>, number, force_words, force_by(OptionalField::force_by_frequency_hz, "frequency_hz"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_gap_m", elasticity<1>, number, force_words, force_by(OptionalField::force_by_gap_m, "gap_m"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_hammer_mass_kg", elasticity<2>, number, force_words, force_by(OptionalField::force_by_hammer_mass_kg, "hammer.mass_kg"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_hammer_natural_frequency_hz", elasticity<3>, number, force_words, force_by(OptionalField::force_by_hammer_natural_frequency_hz, "hammer.natural_frequency_hz"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_hammer_stiffness_n_per_m", elasticity<4>, number, force_words, force_by(OptionalField::force_by_hammer_stiffness_n_per_m, "hammer.stiffness_n_per_m"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_hammer_damping_ns_per_m", elasticity<5>, number, force_words, force_by(OptionalField::force_by_hammer_damping_ns_per_m, "hammer.damping_ns_per_m"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_hammer_damping_ratio", elasticity<6>, number, force_words, force_by(OptionalField::force_by_hammer_damping_ratio, "hammer.damping_ratio"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_hammer_cubic_stiffness_n_per_m3", elasticity<7>, number, force_words, force_by(OptionalField::force_by_hammer_cubic_stiffness_n_per_m3, "hammer.cubic_stiffness_n_per_m3"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_cart_amplitude_m", elasticity<8>, number, force_words, force_by(OptionalField::force_by_cart_amplitude_m, "cart.amplitude_m"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_contact_stiffness_n_per_m", elasticity<9>, number, force_words, force_by(OptionalField::force_by_contact_stiffness_n_per_m, "contact.stiffness_n_per_m"), interpolated, usual, {}, {}, 3},
+    {"force_elasticity_contact_damping_ns_per_m", elasticity<10>, number, force_words, force_by(OptionalField::force_by_contact_damping_ns_per_m, "contact.damping_ns_per_m"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_frequency_hz", elasticity<0>, number, speed_words, speed_by(OptionalField::speed_by_frequency_hz, "frequency_hz"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_gap_m", elasticity<1>, number, speed_words, speed_by(OptionalField::speed_by_gap_m, "gap_m"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_hammer_mass_kg", elasticity<2>, number, speed_words, speed_by(OptionalField::speed_by_hammer_mass_kg, "hammer.mass_kg"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_hammer_natural_frequency_hz", elasticity<3>, number, speed_words, speed_by(OptionalField::speed_by_hammer_natural_frequency_hz, "hammer.natural_frequency_hz"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_hammer_stiffness_n_per_m", elasticity<4>, number, speed_words, speed_by(OptionalField::speed_by_hammer_stiffness_n_per_m, "hammer.stiffness_n_per_m"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_hammer_damping_ns_per_m", elasticity<5>, number, speed_words, speed_by(OptionalField::speed_by_hammer_damping_ns_per_m, "hammer.damping_ns_per_m"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_hammer_damping_ratio", elasticity<6>, number, speed_words, speed_by(OptionalField::speed_by_hammer_damping_ratio, "hammer.damping_ratio"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_hammer_cubic_stiffness_n_per_m3", elasticity<7>, number, speed_words, speed_by(OptionalField::speed_by_hammer_cubic_stiffness_n_per_m3, "hammer.cubic_stiffness_n_per_m3"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_cart_amplitude_m", elasticity<8>, number, speed_words, speed_by(OptionalField::speed_by_cart_amplitude_m, "cart.amplitude_m"), interpolated, usual, {}, {}, 3},
+    {"speed_elasticity_contact_coefficient", elasticity<11>, number, speed_words, speed_by(OptionalField::speed_by_contact_coefficient, "contact.coefficient"), interpolated, usual, {}, {}, 3},
     {"certified", member([](auto& cell) -> auto& { return cell.certified; }), label, "what of the cell is proved in interval arithmetic, or why nothing is (negative)", of_certificates, never, usual, {}, certified_names, 3, first_certified},
     {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, "proved lower bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
     {"peak_force_upper_ratio", member([](auto& cell) -> auto& { return cell.force_upper; }), number, "proved upper bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
@@ -314,6 +378,7 @@ constexpr void for_each_field_of(std::span<const QuantityOf<Numbers>> rows, Take
         const StorageRule& keeping = quantity.keeping;
         if (!keeping.field) continue;
         take(*keeping.field, keeping.field_name == nullptr ? quantity.name : keeping.field_name);
+        if (keeping.field_of_all) take(*keeping.field_of_all, keeping.name_of_all);
     }
 }
 

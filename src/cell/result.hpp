@@ -6,6 +6,7 @@
 // cell/quantities.hpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -28,6 +29,15 @@ struct Kick {
     std::int8_t direction = 0;  // 1 up, towards the stop; -1 down; 0 none
     double lower = unknown;     // kicks up to this size were verified to lead back, in A0 omega
 };
+
+// Of a periodic orbit's peak force or largest impact speed, by the numbers of the job
+// (elasticity/orbit_elasticity.hpp), in the order of the table's rows; dimensionless.
+using Elasticities = std::array<double, 12>;
+inline constexpr Elasticities no_elasticities = [] {
+    Elasticities none{};
+    none.fill(unknown);
+    return none;
+}();
 
 // Units are those of CellResult.
 template <Units units>
@@ -78,6 +88,7 @@ struct Result {
     std::int32_t followed_cycles = 0;
     std::int32_t forgot_after = 0;
     Kick kick = {};  // on request, in a job without [starts]: of the orbit on which this cell ends
+    Elasticities elasticities = no_elasticities;  // on request
     // Of the rigs drawn for the cell (attractors/outcomes.hpp); the quantiles have the file's units in both
     // types.
     std::int32_t outcomes = 0;   // different ones

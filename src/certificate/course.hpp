@@ -15,17 +15,24 @@
 
 namespace peterka::certificate {
 
-inline double middle_of(double x) {
+// A number without a radius, and how far others of the enclosure are from it.
+inline double point_of(double x) {
     return x;
 }
-inline double middle_of(const Interval& x) {
+inline Interval point_of(const Interval& x) {
     return x.middle();
 }
-inline double spread_of(double /*x*/, double /*middle*/) {
+inline double spread_of(double /*x*/, double /*point*/) {
     return 0;
 }
-inline double spread_of(const Interval& x, double middle) {
-    return (x - Interval(middle)).size();
+inline double spread_of(const Interval& x, const Interval& point) {
+    return (x - point).size();
+}
+inline double highest(double x) {
+    return x;
+}
+inline double highest(const Interval& x) {
+    return x.hi;
 }
 inline double box_around(double middle, double /*radius*/) {
     return middle;
@@ -48,7 +55,7 @@ class Course {
 
     Course(const Phase<Number>& phase, const Number& time, const Vector<Number>& start)
         : phase_(&phase), time_(time), step_(step_of(phase, start)) {
-        const Vector<double> center{middle_of(start.position), middle_of(start.velocity)};
+        const Vector<Number> center{point_of(start.position), point_of(start.velocity)};
         steps_.push_back(step_from(0, center, spread(start, center)));
     }
 
@@ -84,9 +91,6 @@ class Course {
         double reach;  // largest |u| during the step
     };
 
-    static double highest(double x) { return x; }
-    static double highest(const Interval& x) { return x.hi; }
-
     // With longer steps the series would converge too slowly. Where the cubic term is a good part of the
     // springs' force, remainder and ball are wide and need shorter ones: of 7718 orbits of 25 random rigs with
     // strong cubic springs, 6.9 % have no proof without the last factor, and 2.5 % with it.
@@ -100,7 +104,7 @@ class Course {
         return 1.2 / (std::max(fastest, size_of(phase.frequency())) * (1 + 8 * slope / k));
     }
 
-    [[nodiscard]] double spread(const Vector<Number>& state, const Vector<double>& center) const {
+    [[nodiscard]] double spread(const Vector<Number>& state, const Vector<Number>& center) const {
         const double v = spread_of(state.velocity, center.velocity);
         const double x = spread_of(state.position, center.position);
         return std::sqrt(v * v + size_of(phase_->stiffness()) * x * x) * above;
@@ -110,9 +114,8 @@ class Course {
         return (1 + exponent + exponent * exponent) * above;  // exp(x) up to x = 1
     }
 
-    [[nodiscard]] Step step_from(double begin, const Vector<double>& center, double ball) const {
+    [[nodiscard]] Step step_from(double begin, const Vector<Number>& point, double ball) const {
         Step step{begin, {}, {}, {}, ball, 0, 0};
-        const Vector<Number> point{Number(center.position), Number(center.velocity)};
         const Number angle = phase_->frequency() * (time_ + Number(begin));
         const SineCosineOf<Number> now = sine_cosine(angle);
         step.series = series(point, now, step.squares);
@@ -218,7 +221,7 @@ class Course {
             const double length = 0.95 * step_;
             const double begin = last.begin + length;
             const Vector<Number> end = value(last.series, Number(begin) - Number(last.begin));
-            const Vector<double> center{middle_of(end.position), middle_of(end.velocity)};
+            const Vector<Number> center{point_of(end.position), point_of(end.velocity)};
             const double ball = last.ball * growth(last, step_) + spread(end, center);
             steps_.push_back(step_from(begin, center, ball));
             if (!std::isfinite(steps_.back().ball)) break;

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "findings/elasticity_findings.hpp"
 #include "findings/outcome_findings.hpp"
 #include "findings/start_findings.hpp"
 #include "findings/transients.hpp"
@@ -97,6 +98,7 @@ struct Statistics {
     Transients transients;                               // of cells that store their last impact
     StartFindings starts;                                // of a map with [starts]
     OutcomeFindings outcomes;                            // of a map with [uncertainty]
+    ElasticityFindings elasticities;                     // of a map that has some
     double tile_seconds = 0;                             // computing time of all tiles of the file [s]
 
     [[nodiscard]] std::int64_t cells_of(regime::Regime regime) const {

@@ -152,6 +152,14 @@ double number_of(const CellNumbers& numbers, std::string_view key) {
     return derived_number(numbers.hammer, key).value();
 }
 
+bool gives_number(const CellNumbers& numbers, std::string_view key) {
+    if (is_frequency(key) || is_gap(key)) return true;
+    const std::size_t dot = std::min(key.find('.'), key.size() - 1);
+    NumberGetter getter(key.substr(dot + 1));
+    CellNumbers copy = numbers;
+    return walk(copy, key.substr(0, dot), getter) && getter.found != nullptr && *getter.found != 0;
+}
+
 CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column) {
     CellNumbers numbers = numbers_in(job);
     set_number(numbers, column_key(job), axis_value(job.columns, column));

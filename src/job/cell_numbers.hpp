@@ -34,6 +34,9 @@ void set_number(CellNumbers& numbers, std::string_view key, double value);
 // The value of such a key, derived where its alternative is given.
 [[nodiscard]] double number_of(const CellNumbers& numbers, std::string_view key);
 
+// Whether the job gives this number itself, not an alternative to it, and other than 0.
+[[nodiscard]] bool gives_number(const CellNumbers& numbers, std::string_view key);
+
 // Like numbers_in, with the values of the job's axes, or of its branch, at this cell.
 [[nodiscard]] CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column);
 

@@ -128,6 +128,40 @@ std::string rule_of_kick(const Job& job) {
                                      "theirs; take a map of this operating point, or remove the field";
 }
 
+std::string rule_of_elasticities(const Job& job) {
+    for (const cell::Quantity& quantity : cell::quantities) {
+        const cell::StorageRule& keeping = quantity.keeping;
+        if (keeping.by_number == nullptr) continue;
+        const bool of_all = job.output.has(*keeping.field_of_all);
+        if (!of_all && !job.output.has(*keeping.field)) continue;
+        const std::string asked =
+            fmt::format("output.fields asks for {}", of_all ? keeping.name_of_all : quantity.name);
+        if (law_of(job.contact) == ContactLaw::hunt_crossley) {
+            return fmt::format(
+                "{}, and contact.law is \"hunt_crossley\"; elasticities are derivatives of motions in closed "
+                "form "
+                "or by power series, which a force like delta^n does not have; remove the field, or compare "
+                "two maps",
+                asked);
+        }
+        const bool of_force = keeping.field_of_all == OptionalField::force_elasticity;
+        if (of_force == is_rigid(job.contact)) {
+            return of_force ? asked +
+                                  ", and a rigid stop has no peak force; its largest impact speed takes the "
+                                  "place; ask for speed_elasticity"
+                            : asked +
+                                  ", which is one of rigid stops; the peak force of this stop has one; ask for "
+                                  "force_elasticity";
+        }
+        if (job.kind == Kind::basin) {
+            return asked +
+                   ", which is one of an attractor; the cells of a basin share theirs; take a map of this "
+                   "operating point, or remove the field";
+        }
+    }
+    return {};
+}
+
 std::string rule_of_cells(const Study& study) {
     const std::size_t frequencies = study.frequencies().size();
     const std::size_t gaps = study.gaps().size();

@@ -90,11 +90,12 @@ inline std::string_view fields_on_request() {
     static const std::string text = [] {
         std::string names = "extra fields";
         for (const auto& field : Names<OptionalField>::all) {
+            if (field.name.find("_elasticity_") != field.name.npos) continue;  // one for each number
             const bool is_first = field.value == OptionalField{};
             names += is_first ? ": " : ", ";
             names += field.name;
         }
-        return names;
+        return names + "; of one number alone force_elasticity_KEY, as in force_elasticity_gap_m";
     }();
     return text;
 }
@@ -108,6 +109,7 @@ void describe_settings(Walker& file, Job& job) {
         describe_anonymous(table, job.output);
     });
     file.rule({"output"}, [&] { return rule_of_kick(job); });
+    file.rule({"output", "contact"}, [&] { return rule_of_elasticities(job); });
     if (job.kind == Kind::sweep) {
         file.refuse("audit",
                     "is for maps and basins; a point of a sweep starts from the one before it; audit a map of "

@@ -1,5 +1,10 @@
 #include "job/stored_quantities.hpp"
 
+#include <algorithm>
+
+#include "job/cell_numbers.hpp"
+#include "job/first_order_spread.hpp"
+
 namespace peterka::job {
 
 bool stores(const Job& job, const cell::Quantity& quantity) {
@@ -27,6 +32,13 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
             return job.uncertainty.rigs > 0 && is_rigid(job.contact);
         case cell::StoredWhen::on_request:
             break;
+    }
+    if (const auto of_all = quantity.keeping.field_of_all; of_all && job.output.has(*of_all)) {
+        if (is_uncertain(job, quantity.keeping.by_number)) return true;
+        const auto gives = [&](const CellNumbers& cell) {
+            return gives_number(cell, quantity.keeping.by_number);
+        };
+        if (std::ranges::any_of(numbers_at_corners(job), gives)) return true;
     }
     const OptionalField field = quantity.keeping.field.value();
     if (field == OptionalField::critical_kick && job.starts.count > 0) return false;  // per attractor instead

@@ -186,7 +186,7 @@ void MapFile::settle() {
 
 findings::Statistics MapFile::statistics() {
     settle();
-    return survey(tiles_, communicator_);
+    return survey(tiles_, job_, communicator_);
 }
 
 void MapFile::record(const RunFacts& facts) {

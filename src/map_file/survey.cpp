@@ -33,12 +33,17 @@ struct LikelyCount {
     std::int64_t cells = 0;
 };
 
+struct BinCount {
+    findings::ElasticityBin bin;
+    std::int64_t cells = 0;
+};
+
 struct ClassCount {
     findings::ImpactClass impact_class;
     std::int64_t cells = 0;
 };
 
-findings::Statistics survey_share(const TileStore& tiles, parallel::Share share) {
+findings::Statistics survey_share(const TileStore& tiles, const job::Job& job, parallel::Share share) {
     findings::Statistics mine;
     for (std::int64_t index = share.first; index < share.end; ++index) {
         look_for_stop_request();
@@ -47,6 +52,7 @@ findings::Statistics survey_share(const TileStore& tiles, parallel::Share share)
         findings::add_tile(mine, tile, cells);
         findings::add_attractors(mine.starts, tile, cells, tiles.read_attractors(tile));
         findings::add_outcomes(mine.outcomes, cells, tiles.read_outcomes(tile));
+        findings::add_elasticities(mine.elasticities, job, tile, cells);
         const double seconds = tiles.seconds(tile);
         if (!std::isnan(seconds)) mine.tile_seconds += seconds;
     }
@@ -55,10 +61,10 @@ findings::Statistics survey_share(const TileStore& tiles, parallel::Share share)
 
 }  // namespace
 
-findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
+findings::Statistics survey(const TileStore& tiles, const job::Job& job, MPI_Comm communicator) {
     findings::Statistics mine;
     parallel::together(communicator, [&] {
-        mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
+        mine = survey_share(tiles, job, parallel::share_of(tiles.tiling().count(), communicator));
     });
     const Totals totals{mine.counts,        mine.proved,          mine.chaos,
                         mine.longest,       mine.largest,         mine.transients,
@@ -67,6 +73,8 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     for (const auto& [label, cells] : mine.outcomes.by_likely) likely.push_back({label, cells});
     std::vector<PairCount> pairs;
     for (const auto& [pair, cells] : mine.starts.pairs) pairs.push_back({pair, cells});
+    std::vector<BinCount> bins;
+    for (const auto& [bin, cells] : mine.elasticities) bins.push_back({bin, cells});
     std::vector<ClassCount> classes;
     for (const auto& [impact_class, cells] : mine.periodic_cells) classes.push_back({impact_class, cells});
 
@@ -87,6 +95,9 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     }
     for (const LikelyCount& share : parallel::gather<LikelyCount>(likely, communicator)) {
         all.outcomes.by_likely[share.label] += share.cells;
+    }
+    for (const BinCount& share : parallel::gather<BinCount>(bins, communicator)) {
+        all.elasticities[share.bin] += share.cells;
     }
     for (const ClassCount& share : parallel::gather<ClassCount>(classes, communicator)) {
         all.periodic_cells[share.impact_class] += share.cells;

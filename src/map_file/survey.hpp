@@ -8,6 +8,6 @@
 
 namespace peterka::map_file {
 
-[[nodiscard]] findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator);
+[[nodiscard]] findings::Statistics survey(const TileStore& tiles, const job::Job& job, MPI_Comm communicator);
 
 }  // namespace peterka::map_file

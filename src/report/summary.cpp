@@ -14,6 +14,7 @@
 #include "report/axis_words.hpp"
 #include "report/basin_summary.hpp"
 #include "report/certificate_summary.hpp"
+#include "report/elasticities_summary.hpp"
 #include "report/kicks_summary.hpp"
 #include "report/long_chaos.hpp"
 #include "report/outcomes_summary.hpp"
@@ -169,6 +170,7 @@ std::string summary_text(const SummaryInput& input) {
            outcomes_summary(input.scene.job(), input.findings.statistics.outcomes) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
+           elasticities_summary(input.scene.job(), input.findings.statistics) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + input.borders +
            effort(input) + certificate_summary(input.scene, input.findings.statistics) + audit(input) +
            omitted(input) +

@@ -8,6 +8,7 @@
 
 #include "attractors/multi_start_pool.hpp"
 #include "run/certify_cell.hpp"
+#include "run/elasticities.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -20,6 +21,7 @@ class TileSolver {
         : scene_(scene),
           work_(work),
           source_(source),
+          elasticities_(scene.job()),
           pool_(scene, known, [this](auto solved) { keep(std::move(solved)); }) {}
 
     void solve() {
@@ -72,10 +74,12 @@ class TileSolver {
         const auto i = static_cast<std::size_t>(cell.number % most_cells);
         open.results[i] = std::move(cell.cell);
         open.seconds += cell.seconds;
-        if (const auto [row, column] = open.cells[i]; wants_certificate(scene_.job(), row, column)) {
-            const Stopwatch certifying;  // reading the clock takes as long as solving a cell without impact
+        const auto [row, column] = open.cells[i];
+        if (elasticities_.any() || wants_certificate(scene_.job(), row, column)) {
+            const Stopwatch afterwards;  // reading the clock takes as long as solving a cell without impact
             certify_cell(scene_.job(), row, column, open.results[i].cell);
-            open.seconds += certifying.seconds();
+            elasticities_.add_to(row, column, open.results[i].cell);
+            open.seconds += afterwards.seconds();
         }
         if (++open.solved < open.cells.size()) return;
         solve(open, work_.go_on(open.tile, open.results, open.seconds));
@@ -86,6 +90,7 @@ class TileSolver {
     const scene::Scene& scene_;
     const TileWork& work_;
     parallel::TileSource& source_;
+    RequestedElasticities elasticities_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile
     std::deque<Open*> waiting_;                    // with cells still to be added
     attractors::MultiStartPool pool_;

@@ -7,6 +7,7 @@
 #include "attractors/along_branch.hpp"
 #include "regime/branch.hpp"
 #include "run/certify_cell.hpp"
+#include "run/elasticities.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -44,7 +45,8 @@ void tell_of_rigs(std::vector<BranchPoint>& branches, const std::vector<PointAtt
 
 std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whole_branches(
     const scene::Scene& scene, map_file::MapFile& file) {
-    return [&](const parallel::Tile& tile, const parallel::Poll& poll) {
+    return [&, elasticities = RequestedElasticities(scene.job())](const parallel::Tile& tile,
+                                                                  const parallel::Poll& poll) {
         const Stopwatch stopwatch;
         std::vector<PointAttractors> attractors;
         if (scene.job().starts.count > 0) {
@@ -58,6 +60,7 @@ std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whol
             for (std::size_t column = 0; column < branch.size(); ++column) {
                 poll();
                 certify_cell(scene.job(), row, static_cast<std::int64_t>(column), branch[column].cell);
+                elasticities.add_to(row, static_cast<std::int64_t>(column), branch[column].cell);
             }
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));

@@ -43,14 +43,16 @@ void replace(std::string& text, const std::string& mark, const std::string& word
 }
 
 // The message, where {quoted fields} and {quoted laws} stand for all names accepted by [output] fields and
-// contact.law, {fields} for those fields as a plain list.
+// contact.law, {fields} for those fields as a plain list, with elasticities by one number in a word.
 std::string message_in(const std::filesystem::path& path) {
     std::vector<std::string_view> of_cells;
     for (const auto& field : Names<OptionalField>::all) {
-        of_cells.push_back(field.name);
+        if (field.name.find("_elasticity_") == field.name.npos) of_cells.push_back(field.name);
     }
     std::string text = examples::content_of(path);
-    replace(text, "{fields}", fmt::format("{}", fmt::join(of_cells, ", ")));
+    replace(text, "{fields}",
+            fmt::format("{}; of one number alone force_elasticity_KEY, as in force_elasticity_gap_m",
+                        fmt::join(of_cells, ", ")));
     replace(text, "{quoted fields}", quoted_list(all_names<OptionalField>()));
     replace(text, "{quoted laws}", quoted_list(all_names<ContactLaw>()));
     return text;

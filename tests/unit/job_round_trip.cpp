@@ -10,6 +10,7 @@
 
 #include "job/names.hpp"
 #include "job/read.hpp"
+#include "job/rules.hpp"
 #include "job/write.hpp"
 #include "job_examples.hpp"
 
@@ -55,8 +56,9 @@ class RandomJobs {
             job.hammer.cubic_stiffness_n_per_m3 = magnitude();
         for (const auto& field : Names<OptionalField>::all) {
             const bool is_kick = field.value == OptionalField::critical_kick;
-            if (coin() && (!is_kick || job.starts.count > 0 || job.kind == Kind::map))
-                job.output.fields.push_back(field.value);
+            if (!coin() || (is_kick && job.starts.count == 0 && job.kind != Kind::map)) continue;
+            job.output.fields.push_back(field.value);
+            if (!rule_of_elasticities(job).empty()) job.output.fields.pop_back();
         }
         job.output.anonymous = coin();
         job.audit.cells = integer(0, 1'000'000);

@@ -70,7 +70,7 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
-    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, has_proofs, attractors,
+    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), elasticities (names of datasets), has_chatter, has_last_impact, is_refined, has_proofs, attractors,
     audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
     of the cell; outcome_slots, the number of outcomes kept for each cell (0 without [uncertainty])."""
 
@@ -132,6 +132,9 @@ class PeterkaFile(OpenedFile):
                             and self._is_quantity(name)]
         self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
         for name in self.numbers:
+            self.data.dataset(name, self.shape, REAL)
+        self.elasticities = [name for name in self.data.names() if re.fullmatch(r"(force|speed)_elasticity_[a-z0-9_]+", name)]
+        for name in self.elasticities:
             self.data.dataset(name, self.shape, REAL)
         self.has_chatter = self._has_integers("chatter")
         self.has_last_impact = self._has_integers("last_impact")

@@ -1,0 +1,224 @@
+"""How the peak force of each orbit, or on a rigid stop its impact speed, depends on the numbers of the rig and of its place.
+
+An elasticity is the relative change of the result per relative change of one number, in % per %. One picture for each number that
+the file has, and one of the number that matters most in each cell: by the elasticity's size or, where [uncertainty] tells how well
+each number is known, by its product with the number's relative standard deviation, the share of the result's to first order. A number
+has the same colour in every picture. A block of a reduced map shows what is farthest from 0, or the commonest number.
+"""
+
+import re
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..arrays import Integers, Reals
+from ..files.coordinates import RATIOS, unit_of
+from ..files.job_numbers import number_of, tables_of
+from ..files.regimes import NOT_COMPUTED, PERIODIC
+from ..plotting import axes, style
+from ..plotting.coordinates import label
+from ..plotting.picture import picture
+from .field_map import scale_colours, without_value
+from .map_file import PeterkaFile
+from .reduce import LIMIT, block_size, class_picture, largest, with_edges
+
+WIDTH = 3.7  # in
+TOP = 95.0  # percentile of the sizes at which the scale ends: near folds they have no bound
+COLOURS = "RdBu_r"
+OTHERS = [("no elasticity", "#CFCFCF", ""), ("not computed yet", "#FFFFFF", "")]
+# Of each number, after which the dataset is named: its colour, and its hatching in the grey palette.
+NUMBERS = {
+    "frequency_hz": ("#0072B2", ""),
+    "gap_m": ("#E69F00", "//"),
+    "hammer_mass_kg": ("#1A1A1A", "\\\\"),
+    "hammer_natural_frequency_hz": ("#56B4E9", "xx"),
+    "hammer_stiffness_n_per_m": ("#4F7A46", ".."),
+    "hammer_damping_ns_per_m": ("#CC79A7", "--"),
+    "hammer_damping_ratio": ("#8F5F86", "||"),
+    "hammer_cubic_stiffness_n_per_m3": ("#5A12B8", "++"),
+    "cart_amplitude_m": ("#F0E442", "oo"),
+    "contact_stiffness_n_per_m": ("#D55E00", "OO"),
+    "contact_damping_ns_per_m": ("#009E73", "**"),
+    "contact_coefficient": ("#762024", "xx.."),
+}
+RESULTS = {"force": "peak force", "speed": "impact speed"}
+
+
+def datasets(file: PeterkaFile) -> dict[str, str]:
+    """{number: its dataset} of the elasticities that a file has, in the order of NUMBERS."""
+    return {number: f"{result}_elasticity_{number}" for number in NUMBERS for result in RESULTS
+            if f"{result}_elasticity_{number}" in file.elasticities}
+
+
+@picture(PeterkaFile)
+def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | None:
+    """The picture of the elasticity by one of NUMBERS, as Axes; None if no cell has one."""
+    name = datasets(file)[number]
+    reduced = _farthest_from_0(file, name)
+    sizes = np.abs(reduced.image[np.isfinite(reduced.image)])
+    if not sizes.size:
+        return None
+    image, counts = class_picture(file, ["regime", name], _lacking, len(OTHERS))
+    looks = _looks()
+    handles = [axes.legend_patch(words, looks[n], n == 1) for n, (words, *_) in enumerate(OTHERS) if counts[n] and _is_seen(image, n, reduced)]
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
+    axes.show_classes(ax, image, looks, 1)
+    low, high = style.current().limits or (None, None)
+    top = float(np.percentile(sizes, TOP)) or 1.0
+    colours = scale_colours() if style.is_grey() else COLOURS
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=colours,
+                         vmin=-top if low is None else low, vmax=top if high is None else high, rasterized=True)
+    axes.label_axes(ax, file)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if sizes.max() > top else "neither")
+    bar.outline.set_linewidth(0.6)
+    bar.set_label(f"{_result(name)} by {spoken(number)} (% per %)", fontsize=8)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, axes.operating_point(file), ax)
+    return ax
+
+
+@picture(PeterkaFile)
+def draw_most(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
+    """The number that matters most in each cell; None where the file has no two to compare, or no cell has one."""
+    of = datasets(file)
+    known = {number: deviation for number in of if (deviation := deviation_of(file, number)) is not None}
+    weights: dict[str, Any] = known if len(known) > 1 else dict.fromkeys(of, 1.0)
+    if len(weights) < 2:
+        return None
+    numbers = list(weights)
+    reduced, counts = _most(file, [of[number] for number in numbers], list(weights.values()))
+    if not counts[:len(numbers)].any():
+        return None
+    looks = [without_value(*NUMBERS[number]) for number in numbers] + _looks()
+    words = [spoken(number) for number in numbers] + [text for text, *_ in OTHERS]
+    order = sorted(range(len(numbers)), key=lambda n: -counts[n]) + [len(numbers), len(numbers) + 1]
+    having = counts[:len(numbers)].sum()
+    handles = [axes.legend_patch(words[n] + (f" ({axes.percent(counts[n] / having)})" if n < len(numbers) else ""), looks[n],
+                                 n == len(numbers) + 1) for n in order if counts[n]]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], ax=ax)
+    axes.show_classes(ax, reduced, looks, len(numbers) + 1)
+    axes.label_axes(ax, file)
+    axes.notice_incomplete(ax, file)
+    result = _result(of[numbers[0]])
+    told = (f"what spreads the {result} most to first order: elasticity times relative standard deviation" if len(known) > 1
+            else f"on what the {result} depends most, per relative change")
+    axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), told])), ax)
+    return ax
+
+
+def has(file: PeterkaFile, number: str) -> bool:
+    """Whether a file has the elasticity by one of NUMBERS."""
+    return number in datasets(file)
+
+
+def has_two(file: PeterkaFile) -> bool:
+    """Whether a file has elasticities to compare."""
+    return len(datasets(file)) > 1
+
+
+def deviation_of(file: PeterkaFile, number: str) -> float | Reals | None:
+    """The relative standard deviation that [uncertainty] gives one of NUMBERS, for all cells or for each row or column; None where it
+    is certain, or the file doesn't tell the number itself."""
+    try:
+        tables = tables_of(file.data.attribute("job"))
+    except ValueError:
+        return None
+    spreads = tables.get("uncertainty")
+    if not isinstance(spreads, dict) or not spreads.get("rigs"):
+        return None
+    for path in _paths(number):
+        table, key = path.split(".")
+        spread = spreads.get(table, {}).get(key) if isinstance(spreads.get(table), dict) else None
+        absolute = _identified(spreads, path)
+        if isinstance(spread, dict):
+            if "relative" in spread:
+                return float(spread["relative"])
+            absolute = float(spread.get("standard_deviation", (spread.get("to", 0.0) - spread.get("from", 0.0)) / 12**0.5))
+        if absolute is not None:
+            value = _values(file, tables, path)
+            with np.errstate(divide="ignore"):
+                return None if value is None else absolute / np.abs(value)
+    return None
+
+
+def spoken(number: str) -> str:
+    """One of NUMBERS in words: "stop stiffness"."""
+    return "gap" if number == "gap_m" else re.sub(r" ?\$[^$]*\$", "", label(number)).partition(" (")[0]
+
+
+def _paths(number):
+    """Where a job may tell how uncertain a number is."""
+    if number in RATIOS:
+        return [f"operating_point.{number}", f"operating_point.{RATIOS[number]}"]
+    table, _, key = number.partition("_")
+    return [f"{table}.{key}"]
+
+
+def _identified(spreads, path):
+    """The standard deviation of a number that is identified together with others."""
+    covariance = spreads.get("covariance")
+    try:
+        n = covariance["of"].index(path)
+        return float(covariance["matrix"][n][n]) ** 0.5
+    except (TypeError, KeyError, ValueError, IndexError):
+        return None
+
+
+def _values(file, tables, path):
+    """The number at a path, along the axis that varies it; None if neither the axes nor the job tell it."""
+    key = path.removeprefix("operating_point.").replace(".", "_")
+    for axis, shape in ((file.columns, (1, -1)), (file.rows, (-1, 1))):
+        if axis.stored == key:
+            return (axis.values * axis.unit).reshape(shape)
+        if axis.name in (key, RATIOS.get(key)):
+            one = unit_of(file, axis.name) if key in RATIOS else 1.0
+            return (axis.values * one).reshape(shape) if one else None
+    return number_of(tables, path) or None
+
+
+def _result(name: str) -> str:
+    return RESULTS[name.partition("_")[0]]
+
+
+def _looks():
+    return [without_value(colour, hatch) for _, colour, hatch in OTHERS]
+
+
+def _lacking(regime: Integers, *_: Reals) -> Integers:
+    return np.where(regime == NOT_COMPUTED, 1, 0)
+
+
+def _is_seen(image, n, reduced):
+    return bool(np.any((image.image == n) & ~np.isfinite(reduced.image)))
+
+
+def _farthest_from_0(file, name):
+    block, pieces = block_size(file.shape, LIMIT), []
+    for _, band in file.bands(["regime", name], block):
+        values = np.where(band["regime"] == PERIODIC, band[name], np.nan)
+        up, down = largest(values, block), -largest(-values, block)
+        pieces.append(np.where(up >= -down, up, down))
+    return with_edges(file, np.concatenate(pieces), block)
+
+
+def _most(file, names, weights):
+    """The place in `names` of what is largest, times its weight; len(names) where nothing is, one more where nothing is computed."""
+    row = 0
+
+    def classify(regime: Integers, *values: Reals) -> Integers:
+        nonlocal row
+        rows = slice(row, row + regime.shape[0])
+        row += regime.shape[0]
+        sizes = np.stack([np.abs(value) * _part(weight, rows) for value, weight in zip(values, weights)])
+        has_all = (regime == PERIODIC) & np.all(np.isfinite(sizes), axis=0)
+        return np.where(has_all, np.argmax(np.nan_to_num(sizes), axis=0), len(names) + (regime == NOT_COMPUTED))
+
+    return class_picture(file, ["regime", *names], classify, len(names) + 2)
+
+
+def _part(weight, rows):
+    """Of a weight for each row, that of these rows."""
+    return weight[rows] if isinstance(weight, np.ndarray) and weight.shape[0] > 1 else weight
+
+
