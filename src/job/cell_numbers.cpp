@@ -60,20 +60,20 @@ class NumberSetter : public NumberWalker {
     double value_;
 };
 
-// Reads one number in a table, if the table has it.
+// Finds one number in a table, if the table has it.
 class NumberGetter : public NumberWalker {
   public:
     explicit NumberGetter(std::string_view name) : name_(name) {}
 
     void number(const Key& key, double& number, const Range<double>& /*range*/) {
-        if (key.name == name_) value = number;
+        if (key.name == name_) found = &number;
     }
     void either(const Alternative& first, const Alternative& second, std::string_view /*meaning*/) {
         for (const Alternative& one : {first, second}) {
-            if (one.key.name == name_ && one.value) value = *one.value;
+            if (one.key.name == name_ && one.value) found = &*one.value;
         }
     }
-    std::optional<double> value;
+    const double* found = nullptr;
 
   private:
     std::string_view name_;
@@ -148,7 +148,7 @@ double number_of(const CellNumbers& numbers, std::string_view key) {
     NumberGetter getter(key.substr(dot + 1));
     CellNumbers copy = numbers;
     if (!walk(copy, key.substr(0, dot), getter)) std::abort();  // as above
-    if (getter.value) return *getter.value;
+    if (getter.found != nullptr) return *getter.found;
     return derived_number(numbers.hammer, key).value();
 }
 

@@ -32,6 +32,7 @@ SolvedCell surveyed_cell(std::int64_t row, std::int64_t column) {
         cell.impact_rate = 0.1 + 0.001 * static_cast<double>((number * 37) % 500);
     }
     if (cell.regime == cell::Regime::periodic) {
+        cell.elasticities.fill(0.01 * static_cast<double>(number % 40));
         cell.certified = cell::Certified::orbit;
         cell.force_lower = 8 * cell.peak_force - 0.5 * static_cast<double>(number % 2);
         cell.force_upper = 8 * cell.peak_force * (1 + 1e-6 * static_cast<double>(number % 5 - 2));
@@ -63,7 +64,8 @@ SolvedCell surveyed_cell(std::int64_t row, std::int64_t column) {
 class Survey : public examples::SharedMap {
   protected:
     Survey() {
-        job_.output.fields = {job::OptionalField::last_impact};
+        job_.output.fields = {job::OptionalField::last_impact, job::OptionalField::force_elasticity};
+        std::ranges::sort(job_.output.fields);
         job_.starts.count = 8;
         job_.starts.attractors = attractors_kept;
         job_.uncertainty.rigs = 16;
@@ -92,6 +94,7 @@ class Survey : public examples::SharedMap {
             findings::add_tile(all, tile, stored);
             findings::add_attractors(all.starts, tile, stored,
                                      stored_attractors(cells, attractors_kept, scales));
+            findings::add_elasticities(all.elasticities, job_, tile, stored);
             findings::add_outcomes(all.outcomes, stored, stored_outcomes(cells, scales));
             all.tile_seconds += 0.25 * static_cast<double>(index);
         }
@@ -130,6 +133,7 @@ TEST_P(Survey, IsTheSumOverAllCells) {
     EXPECT_TRUE(alike(found.outcomes.counts, expected.outcomes.counts));
     EXPECT_EQ(found.starts.pairs, expected.starts.pairs);
     EXPECT_EQ(found.outcomes.by_likely, expected.outcomes.by_likely);
+    EXPECT_EQ(found.elasticities, expected.elasticities);
     EXPECT_EQ(found.periodic_cells, expected.periodic_cells);
     EXPECT_EQ(found.tile_seconds, expected.tile_seconds);
 
@@ -141,6 +145,7 @@ TEST_P(Survey, IsTheSumOverAllCells) {
     EXPECT_GT(expected.transients.ended, 0);
     EXPECT_TRUE(expected.starts.counts.shortest.found());
     EXPECT_GT(expected.outcomes.counts.open, 0);
+    EXPECT_GT(expected.elasticities.size(), 100U);
     EXPECT_GT(std::min({expected.starts.pairs.size(), expected.outcomes.by_likely.size(),
                         expected.periodic_cells.size()}),
               1U);
