@@ -176,7 +176,7 @@ def test_a_map_is_told_beside_each_force(tmp_path, draw):
     # the sample's forces are 10 + row + column/10; 9 Hz, 0.89 mm is row 1, column 1: 11.1 weights
     force = 11.1 * WEIGHT
     assert ["frequency [Hz]", "gap [mm]", "measured [N]", "motion", "computed [N]", "residual [N]", "computed at", "label"] in rows
-    assert ["9", "0.89", "100.5", "1/1", f"{force:.4g}", f"{100.5 - force:+.3g}", f"{100 * (100.5 / force - 1):+.1f} %",
+    assert ["9", "0.89", "100.5", "1/1", f"{force:.4g}", f"{100.5 - force:+.4g}", f"{100 * (100.5 / force - 1):+.1f} %",
             f"{(100.5 - force) / 2.5:+.1f} s.e.", "the point", "rising"] in rows
     assert ["9", "1.78", "70", "no impact", "0", "+70", "+14.0 s.e.", "the point", "falling, odd one"] in rows
     assert ["9", "1.78", "1300", "no impact", "0", "+1300", "the point", "rising"] in rows
