@@ -33,11 +33,13 @@ std::string table_of_curves(const CurveSearchResult& found) {
         ++row.curves[static_cast<std::size_t>(curve.kind)];
         row.points += curve.points.size();
     }
-    std::string text = fmt::format("  {:<8}{:>8}{:>18}{:>10}{:>10}\n", "z", kind_words[0], kind_words[1],
+    std::string text = fmt::format("  {:<10}{:>8}{:>18}{:>10}{:>10}\n", "z", kind_words[0], kind_words[1],
                                    kind_words[2], "points");
     for (const auto& [label, row] : rows) {
-        text += fmt::format("  {:<8}{:>8}{:>18}{:>10}{:>10}\n", fmt::format("{}/{}", label.second, label.first),
-                            row.curves[0], row.curves[1], row.curves[2], row.points);
+        const auto& [period, impacts] = label;
+        text += fmt::format("  {:<10}{:>8}{:>18}{:>10}{:>10}\n",
+                            impacts == 0 ? "no impact" : fmt::format("{}/{}", impacts, period), row.curves[0],
+                            row.curves[1], row.curves[2], row.points);
     }
     return text;
 }

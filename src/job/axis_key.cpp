@@ -18,6 +18,11 @@ bool says_the_same(std::string_view key, std::string_view other) {
            });
 }
 
+std::string_view axis_key_of(std::string_view key_in_tables) {
+    constexpr std::string_view place = "operating_point.";
+    return key_in_tables.starts_with(place) ? key_in_tables.substr(place.size()) : key_in_tables;
+}
+
 std::string_view column_key(const Job& job) {
     if (!job.columns.over.empty()) return job.columns.over;
     return job.kind == Kind::basin ? "displacement_ratio" : "frequency_ratio";

@@ -21,6 +21,9 @@ struct ChosenAxes {
     bool are_known = true;  // false: one is faulty; what depends on it is no further fault
 };
 
+// The axis key of a number named by table and key: "gap_m" for "operating_point.gap_m", others as they are.
+[[nodiscard]] std::string_view axis_key_of(std::string_view key_in_tables);
+
 // The quantity that each axis of a job varies.
 [[nodiscard]] std::string_view column_key(const Job& job);
 [[nodiscard]] std::string_view row_key(const Job& job);  // not for a sweep

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "job/axis_key.hpp"
-#include "job/rig_draws.hpp"
 
 namespace peterka::job {
 namespace {

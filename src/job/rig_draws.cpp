@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "job/axis_key.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/normal_quantile.hpp"
 #include "job/schema_plane.hpp"
@@ -26,11 +27,6 @@ double uniform(std::int64_t point, std::int64_t points, std::size_t dimension) {
 }
 
 }  // namespace
-
-std::string_view axis_key_of(std::string_view key_in_tables) {
-    constexpr std::string_view place = "operating_point.";
-    return key_in_tables.starts_with(place) ? key_in_tables.substr(place.size()) : key_in_tables;
-}
 
 // Scaled to unit variances, since the units of the numbers differ by many orders of magnitude.
 std::optional<std::vector<std::vector<double>>> cholesky_factor(

@@ -21,9 +21,6 @@
 
 namespace peterka::job {
 
-// The axis key of a number named by table and key: "gap_m" for "operating_point.gap_m", others as they are.
-[[nodiscard]] std::string_view axis_key_of(std::string_view key_in_tables);
-
 // The lower Cholesky factor, row by row; nothing if the matrix is not positive definite. It is square.
 [[nodiscard]] std::optional<std::vector<std::vector<double>>> cholesky_factor(
     const std::vector<std::vector<double>>& matrix);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "job/axis_key.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/cell_numbers.hpp"
 #include "job/nearest.hpp"

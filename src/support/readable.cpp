@@ -58,7 +58,9 @@ std::string readable_amount(double amount, std::string_view unit, int digits) {
 
 std::string readable_share(std::int64_t part, std::int64_t whole) {
     const double percent = whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
-    return fmt::format("{:.1f} %", percent);
+    const bool would_be_none = part > 0 && percent < 0.05;
+    const bool would_be_all = part < whole && percent >= 99.95;
+    return would_be_none ? "< 0.05 %" : would_be_all ? "> 99.95 %" : fmt::format("{:.1f} %", percent);
 }
 
 std::string shell_word(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "job/axis_key.hpp"
 #include "job/twins.hpp"
 
 namespace peterka::job {

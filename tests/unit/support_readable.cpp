@@ -68,5 +68,14 @@ TEST(Readable, SharesOfNothingAreNothing) {
     EXPECT_EQ(readable_share(0, 0), "0.0 %");
 }
 
+TEST(Readable, ASmallShareIsNotNoneAndALargeOneNotAll) {
+    EXPECT_EQ(readable_share(0, 10'000), "0.0 %");
+    EXPECT_EQ(readable_share(4, 10'000), "< 0.05 %");
+    EXPECT_EQ(readable_share(5, 10'000), "0.1 %");
+    EXPECT_EQ(readable_share(9994, 10'000), "99.9 %");
+    EXPECT_EQ(readable_share(9995, 10'000), "> 99.95 %");
+    EXPECT_EQ(readable_share(10'000, 10'000), "100.0 %");
+}
+
 }  // namespace
 }  // namespace peterka

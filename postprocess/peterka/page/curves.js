@@ -97,9 +97,10 @@ class CurvesView extends MapView {
       taken.push(at);
       pen.strokeStyle = "#FFFFFF";
       pen.lineWidth = 3.5 * this.base.letter;
-      pen.strokeText(`${impacts}/${period}`, ...at);
+      const name = impacts === 0 ? "no impact" : `${impacts}/${period}`;
+      pen.strokeText(name, ...at);
       pen.fillStyle = content.curves.kinds[kind].colour;
-      pen.fillText(`${impacts}/${period}`, ...at);
+      pen.fillText(name, ...at);
     }
   }
   // {curve, point} of the nearest curve, or else the cell.
