@@ -210,7 +210,8 @@ def _most(file, names, weights):
         nonlocal row
         rows = slice(row, row + regime.shape[0])
         row += regime.shape[0]
-        sizes = np.stack([np.abs(value) * _part(weight, rows) for value, weight in zip(values, weights)])
+        with np.errstate(invalid="ignore"):  # 0 times infinity: what deviates from 0 has no relative deviation
+            sizes = np.stack([np.abs(value) * _part(weight, rows) for value, weight in zip(values, weights)])
         has_all = (regime == PERIODIC) & np.all(np.isfinite(sizes), axis=0)
         return np.where(has_all, np.argmax(np.nan_to_num(sizes), axis=0), len(names) + (regime == NOT_COMPUTED))
 
