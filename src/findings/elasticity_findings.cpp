@@ -12,7 +12,7 @@ namespace peterka::findings {
 namespace {
 
 constexpr double smallest = 1e-9;  // what is smaller counts as 0
-constexpr double width = 0.01;     // of a bin, in the logarithm
+constexpr double width = 0.001;    // of a bin, in the logarithm: finer than the digits that are told
 
 std::int32_t bin_of(double value) {
     const double size = std::abs(value);

@@ -1,7 +1,7 @@
 // What the elasticities of a map's cells say together: the median of each number's, label by label, and, with
 // [uncertainty], of its share of the variance to first order.
 //
-// Medians are of values in bins 1 % wide, whose counts are sums: independent of the grouping of cells.
+// Medians are of values in bins 0.1 % wide, whose counts are sums: independent of the grouping of cells.
 #pragma once
 
 #include <cstdint>

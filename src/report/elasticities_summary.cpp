@@ -58,16 +58,16 @@ std::string dependence(const job::Job& job, const findings::ElasticityFindings& 
 
 std::string variance(const job::Job& job, const findings::ElasticityFindings& findings, const ImpactClass& z) {
     const std::vector<Ranked> ranked = largest_of(job, findings, z, OfElasticities::share);
-    if (ranked.empty()) return "";
+    const std::vector<Ranked> deviation = largest_of(job, findings, z, OfElasticities::deviation);
+    if (ranked.empty() || deviation.empty()) return "";
     std::string text;
     for (const Ranked& one : ranked) {
         text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", job::key_in_tables(one.key),
                             100 * one.median);
     }
-    const double deviation = largest_of(job, findings, z, OfElasticities::deviation).front().median;
     return fmt::format(
         "    to first order the drawn rigs spread it by {:.2g} % (standard deviation); of that variance: {}\n",
-        100 * deviation, text);
+        100 * deviation.front().median, text);
 }
 
 }  // namespace
