@@ -1,5 +1,5 @@
-"""Whether two maps, basins or maps of uncertain rigs by different arithmetic agree: labels wherever rounding doesn't decide
-(status), forces, speeds and impulses of settled motions to 1e-9.   usage: close_map.py FILE EXPECTED
+"""Whether two maps, basins or maps of uncertain rigs by different arithmetic agree: labels wherever both are verified
+(status 0; elsewhere rounding decides, or how many cycles are allowed), forces, speeds and impulses of settled motions to 1e-9.   usage: close_map.py FILE EXPECTED
 
 Says in one line what was found; ends with 1 where they don't agree."""
 
@@ -11,7 +11,7 @@ import numpy as np
 LABELS = ("regime", "impacts", "period")
 BLOWS = ("peak_force_ratio", "impact_speed", "impulse", "force_q05_ratio", "force_q50_ratio", "force_q95_ratio")
 PERIODIC, SUSTAINED = 1, 3
-ROUNDING = 6
+VERIFIED = 0
 TOLERANCE = 1e-9
 
 
@@ -34,13 +34,13 @@ def main(path, expected_path):
         print("the files have different variables or shapes")
         return 1
     differs = np.any([file[name] != expected[name] for name in LABELS], axis=0)
-    rounding = (file["status"] == ROUNDING) | (expected["status"] == ROUNDING)
-    settled = ~differs & ~rounding & np.isin(file["regime"], (PERIODIC, SUSTAINED))
+    verified = (file["status"] == VERIFIED) & (expected["status"] == VERIFIED)
+    settled = ~differs & verified & np.isin(file["regime"], (PERIODIC, SUSTAINED))
     apart = max(furthest(file[name][settled], expected[name][settled]) for name in BLOWS if name in file)
-    wrong = int((differs & ~rounding).sum())
-    print(f"{arithmetic} against {expected_arithmetic}: of {differs.size} cells {wrong} have another label where rounding doesn't "
-          f"decide, and {int((differs & rounding).sum())} of the {int(rounding.sum())} where it does; blows of {int(settled.sum())} "
-          f"settled motions to {apart:.0e}")
+    wrong = int((differs & verified).sum())
+    print(f"{arithmetic} against {expected_arithmetic}: of {differs.size} cells {wrong} have another label where both are verified, "
+          f"and {int((differs & ~verified).sum())} of the {int((~verified).sum())} others; blows of {int(settled.sum())} settled "
+          f"motions to {apart:.0e}")
     return int(wrong > 0 or not settled.any() or not apart <= TOLERANCE)
 
 
