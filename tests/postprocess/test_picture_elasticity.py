@@ -8,6 +8,7 @@ from peterka.maps import elasticity_map
 from peterka.maps.elasticity_map import NUMBERS, deviation_of, draw, draw_most, spoken
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
+from peterka.plotting import fills, style
 from sealing import seal_file
 from uncertain_samples import write_uncertain
 
@@ -115,3 +116,16 @@ def test_colours_are_distinct_in_words_and_grey():
     assert len({colour for colour, _ in looks}) == len({hatch for _, hatch in looks}) == len(looks)
     assert len({spoken(number) for number in NUMBERS}) == len(NUMBERS)
     assert elasticity_map.OTHERS[0][1] not in {colour for colour, _ in looks}
+
+
+def test_grey_hatchings_of_all_numbers_are_drawn_and_differ():
+    masks = [fills._strokes(hatch, 240, 240) for _, hatch in NUMBERS.values() if hatch]
+    assert all(0.05 < mask.mean() < 0.95 and mask.shape == (240, 240) for mask in masks)
+    assert all((one != other).mean() > 0.05 for n, one in enumerate(masks) for other in masks[:n])
+
+
+def test_white_is_0_whatever_the_limits(tmp_path):
+    with style.using(limits=(0.0, 2.0)), PeterkaFile(sample(tmp_path, **{GAP: 1.0})) as file:
+        ax = draw(file, number=GAP)
+        mesh, scales = ax.collections[-1], [one.get_xlim() for one in ax.figure.axes]
+        assert mesh.norm(0.0) == 0.5 and (0.0, 2.0) in scales

@@ -119,7 +119,7 @@ def _force_lines(comparison):
     if not len(ratio):
         return ["No peak force to compare."]
     quantiles = ", ".join(f"{value:.6g} ({share} %)" for share, value in
-                          zip(SHARES, np.percentile(ratio, SHARES, method="inverted_cdf")))
+                          zip(SHARES, np.percentile(ratio, SHARES)))
     lines = [f"Peak force in {len(ratio):,} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
     for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
         (row, column), plane = comparison.place[extreme], comparison.plane

@@ -67,11 +67,14 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | No
     low, high = style.current().limits or (None, None)
     top = float(np.percentile(sizes, TOP)) or 1.0
     colours = scale_colours() if style.is_grey() else COLOURS
+    low, high = -top if low is None else low, top if high is None else high
+    farthest = max(abs(low), abs(high))  # 0 is white whatever the limits
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=colours,
-                         vmin=-top if low is None else low, vmax=top if high is None else high, rasterized=True)
+                         vmin=-farthest, vmax=farthest, rasterized=True)
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if sizes.max() > top else "neither")
     bar.outline.set_linewidth(0.6)
+    bar.ax.set_xlim(low, high)
     bar.set_label(f"{_result(name)} by {spoken(number)} (% per %)", fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax)

@@ -111,12 +111,15 @@ def _strokes(hatch: str, rows: int, columns: int) -> Mask:
     """Mask (rows, columns) of a hatching's lines or dots; rows are counted upwards."""
     row, column = np.ogrid[:rows, :columns]
     row, column = row * RASTER / rows, column * RASTER / columns
-    if ".." in hatch:
-        half = PERIOD / 2
-        return (row % half < STROKE) & (column % half < STROKE)
-    crossed = (row % PERIOD < STROKE) | (column % PERIOD < STROKE)
+    half = PERIOD / 2
+    dots = (row % half < STROKE) & (column % half < STROKE)
+    level, upright = row % PERIOD < STROKE, column % PERIOD < STROKE
     rising, falling = (row - column) % PERIOD < STROKE, (row + column) % PERIOD < STROKE
-    return {"//": rising, "\\\\": falling, "xx": rising | falling, "++": crossed}[hatch]
+    from_middle = np.hypot(row % PERIOD - PERIOD / 2, column % PERIOD - PERIOD / 2)
+    masks = {"--": level | (column < 0), "||": upright | (row < 0), "//": rising, "\\\\": falling, "xx": rising | falling,
+             "++": level | upright, "**": level | upright | rising | falling, "oo": from_middle < STROKE,
+             "..": dots, "xx..": rising | falling | dots, "OO": np.abs(from_middle - 0.4 * PERIOD) < STROKE / 2}
+    return masks[hatch]
 
 
 def without_colour(figure: Figure, others: Collection[Axes] = ()) -> None:
