@@ -73,8 +73,10 @@ double Walk::largest_step(const Phase<double>& phase, const Moment<double>& now,
         }
         return safe_step(begins ? 0 : std::min(0.0, state.position), state.velocity, bend.acceleration);
     }
-    if (!presses_ && !begins && state.position <= 0)
-        return safe_step(state.position, state.velocity, bend.acceleration);
+    if (!presses_ && !begins) {
+        if (state.position <= 0) return safe_step(state.position, state.velocity, bend.acceleration);
+        if (state.velocity > 0) return 0;  // it has touched, by rounding just above the surface
+    }
     const double sign = presses_ ? -1 : 1;
     const double slope = springs_->force({state.velocity, phase.acceleration(state, now.angle.sine)});
     const bool on_surface = begins && !(presses_ && springs_->rig.damping > 0 && touched_);

@@ -154,12 +154,13 @@ std::string time_price(const job::Job& job) {
     const bool is_sweep = job.kind == job::Kind::sweep;
     const double seconds = cells * cost.seconds;
     const double margin = 2 * cost.relative_error;
-    std::string text = fmt::format(
-        "#   time     {:.3g} cycles a {}: {}{} of one core{}", cost.cycles, is_sweep ? "point" : "cell",
-        cost.unseen_share > 0 ? "at least " : "some ", readable_duration(seconds),
-        job.kind == job::Kind::curves ? " for the coarse map"
-        : job.refine.levels > 0       ? " if all were computed, of which refinement spares a part"
-                                      : "");
+    std::string text =
+        fmt::format("#   time     {:.3g} cycles a {}: {}{} of one core{}", cost.cycles,
+                    is_sweep ? "point" : "cell", cost.unseen_share > 0 ? "at least " : "some ",
+                    seconds < 1e-3 ? "1 ms or less" : readable_duration(seconds),
+                    job.kind == job::Kind::curves ? " for the coarse map"
+                    : job.refine.levels > 0       ? " if all were computed, of which refinement spares a part"
+                                                  : "");
     text += cost.cells == job.cells() && !is_sweep
                 ? fmt::format("; all were tried here, in {}", readable_duration(cost.spent))
                 : fmt::format(", {} to {}, by {} of them solved here in {}",

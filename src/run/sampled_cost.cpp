@@ -31,15 +31,19 @@ bool only_integrators(const scene::Scene& scene) {
     return regime::has_nonlinear_contact(scene.cell(0, 0).oscillator);
 }
 
+bool asks_for_integrator(const job::Job& job) {
+    return job.solver.engine == job::EngineChoice::cvode || job.solver.engine == job::EngineChoice::arkode;
+}
+
 // The job whose cells are counted: a law with a closed form has the same labels, and so the same cycles,
 // whichever engine is asked for. Cells are given up where a sample would take minutes.
 job::Job counted_job(job::Job job, bool integrates) {
     constexpr std::int64_t most_cycles = 10'000;
-    if (!integrates &&
-        (job.solver.engine == job::EngineChoice::cvode || job.solver.engine == job::EngineChoice::arkode))
-        job.solver.engine = job::EngineChoice::automatic;
-    job.steady_state.max_cycles =
-        std::min(job.steady_state.max_cycles, integrates ? job.steady_state.chaos_cycles : most_cycles);
+    constexpr std::int64_t most_integrated = 2000;
+    if (!integrates && asks_for_integrator(job)) job.solver.engine = job::EngineChoice::automatic;
+    const std::int64_t most =
+        integrates ? std::min(most_integrated, job.steady_state.chaos_cycles) : most_cycles;
+    job.steady_state.max_cycles = std::min(job.steady_state.max_cycles, most);
     job.certificate.cells = 0;
     std::erase(job.output.fields, job::OptionalField::critical_kick);
     if (job.kind == job::Kind::curves) job.kind = job::Kind::map;  // its coarse map
@@ -65,15 +69,21 @@ struct Sample {
     double unseen = 0;  // cycles that cells given up here may take in the job, all together
 };
 
+// given_up: cycles by which the job follows a cell for longer than the sample does.
+void take(Sample& sample, const cell::CellResult& cell, std::int64_t given_up) {
+    sample.cycles.push_back(cell.cycles);
+    if (cell.regime == cell::Regime::unresolved) sample.unseen += static_cast<double>(given_up);
+}
+
 double sum(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// Adds cells `first`, ..., end - 1 of a sample: one at random of each of `size` equal stretches.
+// Adds the cells of these stretches to a sample: one at random of each of `size` equal stretches.
 void solve_sample(Sample& sample, const scene::Scene& scene, const regime::AttractorTable& known,
-                  std::int64_t first, std::int64_t end, std::int64_t size, std::int64_t max_cycles) {
+                  std::span<const std::int64_t> stretches, std::int64_t size, std::int64_t max_cycles) {
     std::vector<parallel::Tile> tiles;
-    for (std::int64_t n = first; n < end; ++n) {
+    for (const std::int64_t n : stretches) {
         const std::int64_t cell = audited_cell(n, size, scene.job().cells());
         const parallel::CellIndex index{cell / scene.columns(), cell % scene.columns()};
         sample.cells.push_back(index);
@@ -99,20 +109,21 @@ void solve_sample(Sample& sample, const scene::Scene& scene, const regime::Attra
     sample.seconds += processor_time() - begin;
 }
 
-Sample solve_sample(const scene::Scene& scene, const regime::AttractorTable& known, std::int64_t size,
-                    std::int64_t max_cycles) {
-    Sample sample;
-    solve_sample(sample, scene, known, 0, size, size, max_cycles);
-    return sample;
+// n-th of `size` places in an order that is spread over them at any time: steps by the golden section.
+std::int64_t spread_place(std::int64_t n, std::int64_t size) {
+    auto step = std::max<std::int64_t>(1, std::llround(0.618 * static_cast<double>(size)));
+    while (std::gcd(step, size) != 1) ++step;
+    return n * step % size;
 }
 
-// Up to 24 cells one after the other, until they have taken so long [s].
+// A few cells, so many side by side, until they have taken so long [s].
 Sample solve_sample_for(double seconds, const scene::Scene& scene, const regime::AttractorTable& known,
-                        std::int64_t size, std::int64_t max_cycles) {
+                        std::int64_t size, std::int64_t together, std::int64_t max_cycles) {
     Sample sample;
-    for (std::int64_t n = 0; n < size && sample.seconds < seconds; ++n) {
-        const std::int64_t at = n * (size % 7 == 0 ? 5 : 7) % size;  // spread over the plane at any time
-        solve_sample(sample, scene, known, at, at + 1, size, max_cycles);
+    for (std::int64_t n = 0; n < size && sample.seconds < seconds; n += together) {
+        std::vector<std::int64_t> places;
+        for (std::int64_t i = n; i < std::min(n + together, size); ++i) places.push_back(spread_place(i, size));
+        solve_sample(sample, scene, known, places, size, max_cycles);
     }
     return sample;
 }
@@ -122,12 +133,14 @@ Sample solve_sample_for(double seconds, const scene::Scene& scene, const regime:
 double time_of_integrated_cycle(const scene::Scene& scene, const Sample& sample, const job::Solver& solver) {
     constexpr int cells = 12;
     constexpr int cycles = 8;
+    constexpr double longest = 0.5;  // [s]
     const double all = sum(sample.cycles);
     if (!(all > 0)) return 0;
     const double begin = processor_time();
     double passed = 0;
     std::size_t at = 0;
-    for (int n = 0; n < cells; ++n) {
+    int integrated = 0;
+    for (int n = 0; n < cells && processor_time() - begin < longest; ++n) {
         while (at + 1 < sample.cycles.size() && passed + sample.cycles[at] <= all * (n + 0.5) / cells) {
             passed += sample.cycles[at++];
         }
@@ -139,17 +152,19 @@ double time_of_integrated_cycle(const scene::Scene& scene, const Sample& sample,
         auto map = regime::make_cycle_map(cell.oscillator, {.engine = engine, .tolerance = solver.tolerance});
         scene::State<double> state = cell.start;
         for (int i = 0; i < cycles; ++i) state = std::visit([&](auto& each) { return each(state).end; }, map);
+        integrated += cycles;
     }
-    return (processor_time() - begin) / (cells * cycles);
+    return (processor_time() - begin) / integrated;
 }
 
 // Of the mean, over it.
 double relative_error(std::span<const double> values) {
+    if (values.size() < 2) return 1;  // says nothing of others
     const double mean = sum(values) / static_cast<double>(values.size());
     double squares = 0;
     for (const double value : values) squares += (value - mean) * (value - mean);
     const auto n = static_cast<double>(values.size());
-    return mean > 0 && n > 1 ? std::sqrt(squares / (n * (n - 1))) / mean : 0;
+    return mean > 0 ? std::sqrt(squares / (n * (n - 1))) / mean : 0;
 }
 
 // A part of a sweep: few neighbouring points.
@@ -166,10 +181,13 @@ job::Job part_of(job::Job sweep, std::int64_t first, std::int64_t points) {
 std::vector<double> times_of_parts(
     const job::Job& job, std::int64_t most_parts, std::int64_t points,
     const std::function<void(const scene::Scene& part, std::int64_t row)>& solve) {
+    constexpr double longest = 0.5;  // [s]
     const std::int64_t parts = std::clamp<std::int64_t>(job.cells() / points, 1, most_parts);
     std::vector<double> seconds;
-    for (std::int64_t n = 0; n < parts; ++n) {
-        const std::int64_t first = n * (job.columns.points - points) / std::max<std::int64_t>(parts - 1, 1);
+    const double start = processor_time();
+    for (std::int64_t n = 0; n < parts && processor_time() - start < longest; ++n) {
+        const std::int64_t first =
+            spread_place(n, parts) * (job.columns.points - points) / std::max<std::int64_t>(parts - 1, 1);
         const scene::Scene part(part_of(job, first, points));
         const double begin = processor_time();
         solve(part, n % job.row_count());
@@ -180,33 +198,46 @@ std::vector<double> times_of_parts(
 
 // Each point of a branch but the first begins on the motion of the one before it. What is found from many
 // starts or rigs serves all branches of a gap.
-SampledCost cost_of_branches(const job::Job& job, double tries) {
-    constexpr std::int64_t most_points = 12;
+SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool integrates) {
+    const std::int64_t most_points = integrates ? 3 : 12;
     const std::int64_t points = std::min(most_points, job.columns.points);
     const auto look = [] {};
     const double begin = processor_time();
-    double cycles = 0;
+    Sample sample;
     const std::vector<double> branches =
-        times_of_parts(job, 64, points, [&](const auto& part, std::int64_t row) {
+        times_of_parts(job, 512, points, [&](const auto& part, std::int64_t row) {
             for (const regime::BranchPoint& point : regime::follow_branch(part, row, look))
-                cycles += point.cell.cycles;
+                take(sample, point.cell, asked.steady_state.max_cycles - job.steady_state.max_cycles);
         });
-    const auto cells = std::ssize(branches) * points;
-    SampledCost cost{.cells = cells,
-                     .cycles = cycles / static_cast<double>(cells),
+    const double all_cycles = std::max(sum(sample.cycles), 1.0);
+    SampledCost cost{.cells = std::ssize(sample.cycles),
+                     .cycles = all_cycles / static_cast<double>(sample.cycles.size()),
                      .seconds = sum(branches) / static_cast<double>(branches.size()),
-                     .relative_error = relative_error(branches)};
+                     .relative_error = relative_error(branches),
+                     .unseen_share = sample.unseen / all_cycles};
+    double over_counted = 1;  // time of a cycle by the integrator asked for, over one of those counted
+    if (!integrates && asks_for_integrator(asked)) {
+        Sample few;
+        for (std::int64_t n = 0; n < 12; ++n) {
+            few.cells.push_back({n % job.row_count(), n * (job.columns.points - 1) / 11});
+            few.cycles.push_back(1);
+        }
+        const double integrated = time_of_integrated_cycle(scene::Scene(job), few, asked.solver);
+        cost.seconds = cost.cycles * integrated;
+        over_counted = integrated / usual_cycle_time(job);
+    }
     if (job.starts.count > 0 || job.uncertainty.rigs > 0) {
         const std::int64_t of_gap = job::branches_of_a_gap(job.sweep);
         const std::vector<double> many =
-            times_of_parts(job, 32, std::min<std::int64_t>(points, 4), [&](const auto& part, std::int64_t row) {
+            times_of_parts(job, 64, std::min<std::int64_t>(points, 4), [&](const auto& part, std::int64_t row) {
                 if (job.starts.count > 0) {
                     static_cast<void>(attractors::find_along_branch(part, row - row % of_gap, look));
                 } else {
                     static_cast<void>(attractors::find_outcomes_along_branch(part, row - row % of_gap, look));
                 }
             });
-        const double each = tries * sum(many) / static_cast<double>(many.size()) / static_cast<double>(of_gap);
+        const double each = tries_left_out(asked, job) * over_counted * sum(many) /
+                            static_cast<double>(many.size()) / static_cast<double>(of_gap);
         const double error = std::hypot(cost.seconds * cost.relative_error, each * relative_error(many));
         cost.seconds += each;
         cost.relative_error = error / cost.seconds;
@@ -237,25 +268,28 @@ SampledCost sample_cost(const job::Job& job) {
     const bool integrates = only_integrators(scene::Scene(job));
     const job::Job counted = counted_job(job, integrates);
     const scene::Scene scene(counted);
-    if (job.kind == job::Kind::sweep) return cost_of_branches(counted, tries_left_out(job, counted));
+    if (job.kind == job::Kind::sweep) return cost_of_branches(job, counted, integrates);
 
     const regime::AttractorTable known = find_known_attractors(scene);
     const std::int64_t max_cycles = job.steady_state.max_cycles;
-    Sample sample;
-    if (integrates) {
-        sample = solve_sample_for(1.0, scene, known, std::min<std::int64_t>(24, job.cells()), max_cycles);
-    } else {
+    constexpr double longest = 1.0;  // of the first few cells [s]
+    const std::int64_t few = std::min<std::int64_t>(integrates ? 24 : 48, job.cells());
+    Sample sample = solve_sample_for(longest, scene, known, few, integrates ? 1 : 16, max_cycles);
+    if (!integrates && sample.seconds < longest) {
         // As many as take so long, judged by a few. When they run out, vectors are filled less: with 4,096
         // cells that takes a third of the time, or more.
         constexpr std::int64_t most = 16'384;
         constexpr double budget = 0.4;  // [s]
-        const std::int64_t few = std::min<std::int64_t>(48, job.cells());
-        sample = solve_sample(scene, known, few, max_cycles);
         const double each =
             std::max({sum(sample.cycles) * usual_cycle_time(counted), sample.seconds / 4, 1e-6}) /
             static_cast<double>(few);
         const std::int64_t size = std::min({most, job.cells(), static_cast<std::int64_t>(budget / each)});
-        if (size > few) sample = solve_sample(scene, known, size, max_cycles);
+        if (size > few) {
+            std::vector<std::int64_t> all(static_cast<std::size_t>(size));
+            std::iota(all.begin(), all.end(), 0);
+            sample = {};
+            solve_sample(sample, scene, known, all, size, max_cycles);
+        }
     }
     const double tries = tries_left_out(job, counted);
     const auto size = std::ssize(sample.cells);
@@ -265,8 +299,7 @@ SampledCost sample_cost(const job::Job& job) {
                      .seconds = tries * sample.seconds / static_cast<double>(size),
                      .relative_error = relative_error(sample.cycles),
                      .unseen_share = sample.unseen / std::max(sum(sample.cycles), 1.0)};
-    const bool integrator_chosen =
-        job.solver.engine == job::EngineChoice::cvode || job.solver.engine == job::EngineChoice::arkode;
+    const bool integrator_chosen = asks_for_integrator(job);
     if (job.audit.cells > 0 || (integrator_chosen && !integrates))
         cost.integrated_cycle = time_of_integrated_cycle(scene, sample, job.solver);
     if (integrator_chosen && !integrates) cost.seconds = cost.cycles * cost.integrated_cycle;

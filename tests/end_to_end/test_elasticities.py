@@ -140,3 +140,17 @@ def test_they_are_the_same_on_more_ranks_and_where_a_half_done_file_is_completed
 def test_one_number_alone_may_be_asked_for(tmp_path):
     cells, _ = compute(tmp_path, job().replace('"force_elasticity"', '"force_elasticity_gap_m"'))
     assert [name for name in cells if "_elasticity_" in name] == ["force_elasticity_gap_m"]
+
+
+def test_orbits_on_a_soft_and_strongly_damped_stop_have_them(tmp_path):
+    """Where the force falls right after touch, a touch that rounding puts just above the surface is one."""
+    rig = jobs.RIG.format(kind="map", title="soft")
+    for number, own in (("mass_kg = 0.298", "mass_kg = 0.0853"), ("natural_frequency_hz = 4.5", "natural_frequency_hz = 37.8"),
+                        ("damping_ns_per_m = 0.06", "damping_ratio = 0.0038"), ("amplitude_m = 0.89e-3", "amplitude_m = 1.7e-3"),
+                        ("stiffness_n_per_m = 5.5e6", "stiffness_n_per_m = 2943.0"), ("damping_ns_per_m = 1.2e3", "damping_ns_per_m = 40.0")):
+        assert number in rig
+        rig = rig.replace(number, own)
+    cells, _ = compute(tmp_path, rig + jobs.axis("frequency_ratio", 0.4, 4.5, 24) + jobs.axis("gap_ratio", -1.1, 2.8, 24)
+                       + '[output]\nfields = ["force_elasticity"]\n')
+    simple = (cells["regime"] == 1) & (cells["impacts"] == 1) & (cells["period"] == 1)
+    assert simple.sum() > 50 and np.isfinite(cells["force_elasticity_gap_m"][simple]).all()

@@ -97,3 +97,14 @@ def test_the_audit_comes_on_top(tmp_path):
         return seconds(found[1]) if found else 0
     assert of_audit(0) == 0
     assert of_audit(800) > 20 * of_audit(10) > 0
+
+
+def test_a_sweep_by_an_integrator_is_priced_as_one(tmp_path):
+    jobs.write(tmp_path, jobs.small_sweep(points=41))
+    exact, integrated = (seconds(told(tmp_path, f'solver.engine="{engine}"')["time"]) for engine in ("exact", "cvode"))
+    assert integrated > 30 * exact
+
+
+def test_a_sweep_tells_what_was_given_up(tmp_path):
+    jobs.write(tmp_path, jobs.small_sweep(points=401))
+    assert "at least" in told(tmp_path, "steady_state.max_cycles=1000000", "steady_state.chaos_cycles=1000000")[0]

@@ -58,7 +58,8 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
     ]
     assert texts[4] == r"chaotic, $F/(m\,g)$ = 9 (12.5 %)"
     assert texts[5:7] == ["sustained contact (6.2 %)", "unresolved (6.2 %)"]
-    assert texts[7:] == ["its attractor, at forcing phase 0", "stop at $t$ = 0: $x$ = gap"]
+    phase = r"its attractor, at forcing phase 0:" "\n" r"$x = u$, $\dot{x} = \dot{u} + A_0\Omega$, $A_0\Omega/(A_0\omega)$ = 1.8"
+    assert texts[7:] == [phase, "stop at $t$ = 0: $x$ = gap"]
 
 
 def test_two_attractors_of_a_class_never_read_the_same(tmp_path):
