@@ -177,11 +177,10 @@ job::Job part_of(job::Job sweep, std::int64_t first, std::int64_t points) {
 }
 
 // Solves parts of a sweep here and there along its axis and on all its branches, and returns the time that each
-// takes a point [s].
+// takes a point [s]. Ends when they have taken `longest` [s].
 std::vector<double> times_of_parts(
-    const job::Job& job, std::int64_t most_parts, std::int64_t points,
+    const job::Job& job, std::int64_t most_parts, std::int64_t points, double longest,
     const std::function<void(const scene::Scene& part, std::int64_t row)>& solve) {
-    constexpr double longest = 0.5;  // [s]
     const std::int64_t parts = std::clamp<std::int64_t>(job.cells() / points, 1, most_parts);
     std::vector<double> seconds;
     const double start = processor_time();
@@ -205,7 +204,7 @@ SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool in
     const double begin = processor_time();
     Sample sample;
     const std::vector<double> branches =
-        times_of_parts(job, 512, points, [&](const auto& part, std::int64_t row) {
+        times_of_parts(job, 512, points, 0.5, [&](const auto& part, std::int64_t row) {
             for (const regime::BranchPoint& point : regime::follow_branch(part, row, look))
                 take(sample, point.cell, asked.steady_state.max_cycles - job.steady_state.max_cycles);
         });
@@ -228,8 +227,8 @@ SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool in
     }
     if (job.starts.count > 0 || job.uncertainty.rigs > 0) {
         const std::int64_t of_gap = job::branches_of_a_gap(job.sweep);
-        const std::vector<double> many =
-            times_of_parts(job, 64, std::min<std::int64_t>(points, 4), [&](const auto& part, std::int64_t row) {
+        const std::vector<double> many = times_of_parts(
+            job, 32, std::min<std::int64_t>(points, 4), 2.0, [&](const auto& part, std::int64_t row) {
                 if (job.starts.count > 0) {
                     static_cast<void>(attractors::find_along_branch(part, row - row % of_gap, look));
                 } else {
@@ -274,14 +273,14 @@ SampledCost sample_cost(const job::Job& job) {
     const std::int64_t max_cycles = job.steady_state.max_cycles;
     constexpr double longest = 1.0;  // of the first few cells [s]
     const std::int64_t few = std::min<std::int64_t>(integrates ? 24 : 48, job.cells());
-    Sample sample = solve_sample_for(longest, scene, known, few, integrates ? 1 : 16, max_cycles);
+    Sample sample = solve_sample_for(longest, scene, known, few, integrates ? 1 : 4, max_cycles);
     if (!integrates && sample.seconds < longest) {
         // As many as take so long, judged by a few. When they run out, vectors are filled less: with 4,096
         // cells that takes a third of the time, or more.
         constexpr std::int64_t most = 16'384;
         constexpr double budget = 0.4;  // [s]
         const double each =
-            std::max({sum(sample.cycles) * usual_cycle_time(counted), sample.seconds / 4, 1e-6}) /
+            std::max({sum(sample.cycles) * usual_cycle_time(counted), sample.seconds / 8, 1e-6}) /
             static_cast<double>(few);
         const std::int64_t size = std::min({most, job.cells(), static_cast<std::int64_t>(budget / each)});
         if (size > few) {
