@@ -39,6 +39,7 @@ void add_elasticities(ElasticityFindings& findings, const job::Job& job, const p
         const quantities::StoredCell& cell = cells[i];
         if (cell.regime != regime::Regime::periodic) continue;
         std::vector<job::Elasticity> elasticities;
+        elasticities.reserve(requested.size());
         for (const cell::Quantity* quantity : requested)
             elasticities.push_back({quantity->keeping.by_number, quantity->load(cell)});
         if (std::isnan(elasticities.front().value)) continue;
