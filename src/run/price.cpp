@@ -161,7 +161,7 @@ std::string time_price(const job::Job& job) {
                     job.kind == job::Kind::curves ? " for the coarse map"
                     : job.refine.levels > 0       ? " if all were computed, of which refinement spares a part"
                                                   : "");
-    text += cost.cells == job.cells() && !is_sweep
+    text += margin == 0 && cost.unseen_share == 0
                 ? fmt::format("; all were tried here, in {}", readable_duration(cost.spent))
                 : fmt::format(", {} to {}, by {} of them solved here in {}",
                               readable_duration(seconds / (1 + margin)),

@@ -79,6 +79,10 @@ double sum(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+double mean(std::span<const double> values) {
+    return values.empty() ? 0 : sum(values) / static_cast<double>(values.size());
+}
+
 // Adds the cells of these stretches to a sample: one at random of each of `size` equal stretches.
 void solve_sample(Sample& sample, const scene::Scene& scene, const regime::AttractorTable& known,
                   std::span<const std::int64_t> stretches, std::int64_t size, std::int64_t max_cycles) {
@@ -128,18 +132,19 @@ Sample solve_sample_for(double seconds, const scene::Scene& scene, const regime:
     return sample;
 }
 
-// Time of a cycle by an integrator [s]: the mean over cells of the sample that are chosen with probabilities in
-// proportion to their cycles.
-double time_of_integrated_cycle(const scene::Scene& scene, const Sample& sample, const job::Solver& solver) {
+// Time of a cycle by an integrator [s], in cells of the sample that are chosen with probabilities in proportion
+// to their cycles, so that the mean is that of all cycles. None if nothing has to be integrated.
+std::vector<double> times_of_integrated_cycle(const scene::Scene& scene, const Sample& sample,
+                                              const job::Solver& solver) {
     constexpr int cells = 12;
     constexpr int cycles = 8;
     constexpr double longest = 0.5;  // [s]
     const double all = sum(sample.cycles);
-    if (!(all > 0)) return 0;
+    std::vector<double> times;
+    if (!(all > 0)) return times;
     const double begin = processor_time();
     double passed = 0;
     std::size_t at = 0;
-    int integrated = 0;
     for (int n = 0; n < cells && processor_time() - begin < longest; ++n) {
         while (at + 1 < sample.cycles.size() && passed + sample.cycles[at] <= all * (n + 0.5) / cells) {
             passed += sample.cycles[at++];
@@ -151,20 +156,21 @@ double time_of_integrated_cycle(const scene::Scene& scene, const Sample& sample,
                                           : regime::cheaper_integrator(cell.oscillator);
         auto map = regime::make_cycle_map(cell.oscillator, {.engine = engine, .tolerance = solver.tolerance});
         scene::State<double> state = cell.start;
+        const double before = processor_time();
         for (int i = 0; i < cycles; ++i) state = std::visit([&](auto& each) { return each(state).end; }, map);
-        integrated += cycles;
+        times.push_back((processor_time() - before) / cycles);
     }
-    return (processor_time() - begin) / integrated;
+    return times;
 }
 
 // Of the mean, over it.
 double relative_error(std::span<const double> values) {
     if (values.size() < 2) return 1;  // says nothing of others
-    const double mean = sum(values) / static_cast<double>(values.size());
+    const double middle = mean(values);
     double squares = 0;
-    for (const double value : values) squares += (value - mean) * (value - mean);
+    for (const double value : values) squares += (value - middle) * (value - middle);
     const auto n = static_cast<double>(values.size());
-    return mean > 0 ? std::sqrt(squares / (n * (n - 1))) / mean : 0;
+    return middle > 0 ? std::sqrt(squares / (n * (n - 1))) / middle : 0;
 }
 
 // A part of a sweep: few neighbouring points.
@@ -211,7 +217,7 @@ SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool in
     const double all_cycles = std::max(sum(sample.cycles), 1.0);
     SampledCost cost{.cells = std::ssize(sample.cycles),
                      .cycles = all_cycles / static_cast<double>(sample.cycles.size()),
-                     .seconds = sum(branches) / static_cast<double>(branches.size()),
+                     .seconds = mean(branches),
                      .relative_error = relative_error(branches),
                      .unseen_share = sample.unseen / all_cycles};
     double over_counted = 1;  // time of a cycle by the integrator asked for, over one of those counted
@@ -221,9 +227,10 @@ SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool in
             few.cells.push_back({n % job.row_count(), n * (job.columns.points - 1) / 11});
             few.cycles.push_back(1);
         }
-        const double integrated = time_of_integrated_cycle(scene::Scene(job), few, asked.solver);
-        cost.seconds = cost.cycles * integrated;
-        over_counted = integrated / usual_cycle_time(job);
+        const std::vector<double> times = times_of_integrated_cycle(scene::Scene(job), few, asked.solver);
+        cost.seconds = cost.cycles * mean(times);
+        cost.relative_error = std::hypot(cost.relative_error, relative_error(times));
+        over_counted = mean(times) / usual_cycle_time(job);
     }
     if (job.starts.count > 0 || job.uncertainty.rigs > 0) {
         const std::int64_t of_gap = job::branches_of_a_gap(job.sweep);
@@ -235,8 +242,8 @@ SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool in
                     static_cast<void>(attractors::find_outcomes_along_branch(part, row - row % of_gap, look));
                 }
             });
-        const double each = tries_left_out(asked, job) * over_counted * sum(many) /
-                            static_cast<double>(many.size()) / static_cast<double>(of_gap);
+        const double each =
+            tries_left_out(asked, job) * over_counted * mean(many) / static_cast<double>(of_gap);
         const double error = std::hypot(cost.seconds * cost.relative_error, each * relative_error(many));
         cost.seconds += each;
         cost.relative_error = error / cost.seconds;
@@ -253,9 +260,7 @@ double usual_cycle_time(const job::Job& job) {
     constexpr double us = 1e-6;
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
     const job::EngineChoice engine = job.solver.engine;
-    const bool integrates = engine == job::EngineChoice::cvode || engine == job::EngineChoice::arkode ||
-                            regime::has_nonlinear_contact(rig);
-    if (integrates) return 200 * us;
+    if (asks_for_integrator(job) || regime::has_nonlinear_contact(rig)) return 200 * us;
     if (!regime::may_use_batch(rig, job.solver)) return 1.3 * us;
     const bool keeps_cubic =
         rig.cubic != 0 && (engine == job::EngineChoice::split || job.solver.omit_tolerance == 0);
@@ -269,7 +274,8 @@ SampledCost sample_cost(const job::Job& job) {
     const scene::Scene scene(counted);
     if (job.kind == job::Kind::sweep) return cost_of_branches(job, counted, integrates);
 
-    const regime::AttractorTable known = find_known_attractors(scene);
+    // a basin's attractors, whose search would take an integrator half a minute
+    const regime::AttractorTable known = integrates ? regime::AttractorTable() : find_known_attractors(scene);
     const std::int64_t max_cycles = job.steady_state.max_cycles;
     constexpr double longest = 1.0;  // of the first few cells [s]
     const std::int64_t few = std::min<std::int64_t>(integrates ? 24 : 48, job.cells());
@@ -293,15 +299,21 @@ SampledCost sample_cost(const job::Job& job) {
     const double tries = tries_left_out(job, counted);
     const auto size = std::ssize(sample.cells);
 
+    const bool has_all = size == job.cells() && tries == 1;
     SampledCost cost{.cells = size,
-                     .cycles = tries * sum(sample.cycles) / static_cast<double>(size),
+                     .cycles = tries * mean(sample.cycles),
                      .seconds = tries * sample.seconds / static_cast<double>(size),
-                     .relative_error = relative_error(sample.cycles),
+                     .relative_error = has_all ? 0 : relative_error(sample.cycles),
                      .unseen_share = sample.unseen / std::max(sum(sample.cycles), 1.0)};
-    const bool integrator_chosen = asks_for_integrator(job);
-    if (job.audit.cells > 0 || (integrator_chosen && !integrates))
-        cost.integrated_cycle = time_of_integrated_cycle(scene, sample, job.solver);
-    if (integrator_chosen && !integrates) cost.seconds = cost.cycles * cost.integrated_cycle;
+    const bool integrated = !integrates && asks_for_integrator(job);
+    if (job.audit.cells > 0 || integrated) {
+        const std::vector<double> times = times_of_integrated_cycle(scene, sample, job.solver);
+        cost.integrated_cycle = mean(times);
+        if (integrated) {
+            cost.seconds = cost.cycles * cost.integrated_cycle;
+            cost.relative_error = std::hypot(cost.relative_error, times.empty() ? 0 : relative_error(times));
+        }
+    }
     cost.spent = processor_time() - begin;
     return cost;
 }

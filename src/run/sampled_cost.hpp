@@ -12,7 +12,7 @@ struct SampledCost {
     double spent = 0;             // on it [s of one core]
     double cycles = 0;            // mean of a cell [forcing cycles]
     double seconds = 0;           // of a cell, of one core
-    double relative_error = 0;    // standard error of both means, over them
+    double relative_error = 0;    // standard error of both means, over them; 0 if all were solved
     double unseen_share = 0;      // what cells that were given up early may take more, over the mean, at most
     double integrated_cycle = 0;  // of an engine of the audit [s of one core]; 0 without audit
 };

@@ -108,3 +108,11 @@ def test_a_sweep_by_an_integrator_is_priced_as_one(tmp_path):
 def test_a_sweep_tells_what_was_given_up(tmp_path):
     jobs.write(tmp_path, jobs.small_sweep(points=401))
     assert "at least" in told(tmp_path, "steady_state.max_cycles=1000000", "steady_state.chaos_cycles=1000000")[0]
+
+
+def test_many_starts_are_priced_by_a_part_of_them(tmp_path):
+    """Of 12,800 starts 128 are solved; nothing is called tried that wasn't."""
+    jobs.write(tmp_path, many_starts.small_map(columns=3, rows=3))
+    few, many = (told(tmp_path, f"starts.count={count}") for count in (128, 12800))
+    assert float(many["cycles"]) == pytest.approx(float(few["cycles"]) * 12801 / 129, rel=0.02)
+    assert few["least"] is None and many["least"]
