@@ -1,5 +1,6 @@
 """The programs run by a benchmark, and the cost of a map: its time, and the memory of its largest rank."""
 
+import argparse
 import os
 import subprocess
 import sys
@@ -84,6 +85,23 @@ def resident_memory(program, file):
         except OSError:  # it has ended in the meantime
             continue
     return most
+
+
+def markdown(head, rows):
+    return "\n".join("| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *rows])
+
+
+def page_arguments(description):
+    """--build, --results, --page and --quick of a benchmark that writes a page of its own; its folders exist then."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--results", type=Path, required=True)
+    parser.add_argument("--page", type=Path, required=True)
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+    for folder in (arguments.page.parent, arguments.results):
+        folder.mkdir(parents=True, exist_ok=True)
+    return arguments
 
 
 def tell(line):

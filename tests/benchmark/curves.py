@@ -7,17 +7,12 @@ jobs/benchmark.sh calls it; it can be run alone, and takes some seconds:
 The closed form is that of the folds of 1/1 with a rigid stop: gap/A0 = P sqrt(1 + alpha^2 eta^2/(r + beta)^2).
 """
 
-import argparse
-import os
 import subprocess
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
-
-import h5py  # noqa: E402
-import numpy as np  # noqa: E402
+import h5py
+import numpy as np
+from bench import ROOT, page_arguments
 
 JOB = ROOT / "jobs/curves_170mm.toml"
 KINDS = ("fold", "period doubling", "grazing")
@@ -51,14 +46,7 @@ max_period = 1
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=Path, required=True)
-    parser.add_argument("--results", type=Path, required=True)
-    parser.add_argument("--page", type=Path, required=True)
-    parser.add_argument("--quick", action="store_true")
-    arguments = parser.parse_args()
-    for folder in (arguments.page.parent, arguments.results):
-        folder.mkdir(parents=True, exist_ok=True)
+    arguments = page_arguments(__doc__)
     cells, rounds = QUICK if arguments.quick else USUAL
     points = [f"axes.{axis}.points={cells}" for axis in ("frequency_ratio", "gap_ratio")]
     files = [compute(arguments, JOB, f"curves_{n}.h5", points) for n in range(rounds)]

@@ -5,15 +5,13 @@ alone, in a few minutes:
     tests/benchmark/laws.py --build build --results results --page postprocess/examples/laws.md [--quick]
 """
 
-import argparse
 import re
 from dataclasses import dataclass
-from pathlib import Path
 from statistics import median
 
 import h5py
 import numpy as np
-from bench import ROOT, Bench  # makes the package in postprocess importable
+from bench import ROOT, Bench, markdown, page_arguments  # makes the package in postprocess importable
 
 from peterka.scaling.run_record import read_record
 
@@ -89,10 +87,6 @@ def rows_of(costs):
                 (costs["rigid starts"], costs["starts"]))]
 
 
-def markdown(head, rows):
-    return "\n".join("| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *rows])
-
-
 def error_beside_time(bench, rounds):
     """Rows (engine, µs per cycle, relative error) of the kernel on a rigid and on the paper's stop."""
     lines = bench.output(bench.build / "tests" / "batch_cycles", rounds).splitlines()
@@ -102,13 +96,7 @@ def error_beside_time(bench, rounds):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=Path, required=True)
-    parser.add_argument("--results", type=Path, required=True)
-    parser.add_argument("--page", type=Path, required=True)
-    parser.add_argument("--quick", action="store_true")
-    arguments = parser.parse_args()
-    arguments.page.parent.mkdir(parents=True, exist_ok=True)
+    arguments = page_arguments(__doc__)
     bench = Bench(arguments.build.resolve(), arguments.results.resolve())
     points, few, rounds = QUICK if arguments.quick else USUAL
     every = kinds(points, few)

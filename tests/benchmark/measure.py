@@ -19,7 +19,7 @@ import numpy as np
 
 import cycles
 import ratios
-from bench import JOB, Bench  # makes the package in postprocess importable
+from bench import JOB, Bench, markdown  # makes the package in postprocess importable
 from labels import CHAOTIC, NO_IMPACT, PERIODIC, SUSTAINED, Labels
 
 
@@ -246,10 +246,6 @@ def scaling(bench, sizes, page):
     lines = text.splitlines()
     told = [line for line in lines if "efficiency up to" in line]
     return "\n\n".join(["## Scaling", "\n".join(f"- {line}" for line in told), "![scaling](scaling.png)"])
-
-
-def markdown(head, rows):
-    return "\n".join("| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *rows])
 
 
 def processor():

@@ -8,23 +8,17 @@ The truth is that of many more starts, over the same cells. As many independent 
 distribution says, sqrt(s (1 - s)/n) for a share s, and miss an attractor with probability (1 - s)^n.
 """
 
-import argparse
-import os
 import subprocess
 import sys
 from collections import defaultdict
 from dataclasses import dataclass
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "postprocess"))
-os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+import h5py
+import numpy as np
+from bench import ROOT, page_arguments  # makes the package in postprocess importable
 
-import h5py  # noqa: E402
-import numpy as np  # noqa: E402
-
-from peterka.plotting import axes, style  # noqa: E402
-from peterka.plotting.figures import new_figure  # noqa: E402
+from peterka.plotting import axes, style
+from peterka.plotting.figures import new_figure
 
 JOB = "jobs/attractors_170mm.toml"
 COUNTS = (4, 16, 64, 256, 1024)
@@ -60,14 +54,7 @@ class Row:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=Path, required=True)
-    parser.add_argument("--results", type=Path, required=True)
-    parser.add_argument("--page", type=Path, required=True)
-    parser.add_argument("--quick", action="store_true")
-    arguments = parser.parse_args()
-    arguments.page.parent.mkdir(parents=True, exist_ok=True)
-    arguments.results.mkdir(parents=True, exist_ok=True)
+    arguments = page_arguments(__doc__)
     side, many = QUICK if arguments.quick else USUAL
     truth = compute(arguments, side, many)
     rows = [row_of(count, compute(arguments, side, count), truth) for count in COUNTS]
