@@ -4,6 +4,7 @@ import h5py
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
+from matplotlib.text import Text
 from peterka.maps import elasticity_map
 from peterka.maps.elasticity_map import NUMBERS, deviation_of, draw, draw_most, spoken
 from peterka.maps.map_file import PeterkaFile
@@ -90,7 +91,9 @@ def test_offsets_of_the_gap_count_relative_to_it(tmp_path, offset, ratio):
     with PeterkaFile(path) as file:
         deviation = deviation_of(file, GAP)
         np.testing.assert_allclose(deviation[1:], ratio / file.rows.values[1:, None])
-        colours = colours_of(draw_most(file))
+        ax = draw_most(file)
+        colours = colours_of(ax)
+    assert any("an uncertain number is 0" in text.get_text() for text in ax.figure.findobj(Text))  # the gap of the first row
     is_orbit = orbits(path)[6]
     larger = 10 * deviation[6, 0] > 0.03
     assert (colours[6][is_orbit] == NUMBERS[GAP if larger else STIFFNESS][0]).all()

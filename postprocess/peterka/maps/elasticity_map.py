@@ -95,6 +95,8 @@ def draw_most(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
         return None
     looks = [without_value(*NUMBERS[number]) for number in numbers] + _looks()
     words = [spoken(number) for number in numbers] + [text for text, *_ in OTHERS]
+    if any(not np.all(np.isfinite(weight)) for weight in weights.values()):
+        words[len(numbers)] += ", or an uncertain number is 0"
     order = sorted(range(len(numbers)), key=lambda n: -counts[n]) + [len(numbers), len(numbers) + 1]
     having = counts[:len(numbers)].sum()
     handles = [axes.legend_patch(words[n] + (f" ({axes.percent(counts[n] / having)})" if n < len(numbers) else ""), looks[n],
