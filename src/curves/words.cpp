@@ -110,6 +110,14 @@ std::string label_edges_text(const job::Job& job, const CurveSearchResult& found
     return text;
 }
 
+// Which curves a search from a coarse map can't find.
+std::string reach_in_words(const scene::Scene& scene) {
+    return fmt::format(
+        "Traced from the motions of {} by {} cells: curves of motions that none of these cells shows may be "
+        "missing; more points or [starts] may find them\n",
+        scene.columns(), scene.rows());
+}
+
 std::string axis_in_words(std::string_view key) {
     if (job::is_frequency(key)) return "the frequency";
     return job::is_gap(key) ? "the gap" : std::string(key);
@@ -153,9 +161,9 @@ std::string in_words(const scene::Scene& scene, const CurveSearchResult& found) 
     }
     return fmt::format(
         "\n{}\n{} {}, {} points, residual {:.1e} at most: of the orbit's equations over 1 + its largest "
-        "velocity, and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}",
+        "velocity, and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}{}",
         title, found.curves.size(), found.curves.size() == 1 ? "curve" : "curves",
-        readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found),
+        readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found), reach_in_words(scene),
         specials_text(found), edges_text(found.edges), label_edges_text(job, found), distances_text(job, found),
         borders_in_words(scene, found));
 }

@@ -80,8 +80,12 @@ std::string starts_inside(const scene::Scene& scene) {
         starts.all == 1
             ? std::string("the hammer starts")
             : fmt::format("{} of {} starts lie", readable_count(starts.inside), readable_count(starts.all));
-    return fmt::format("{} inside the stop, by up to {:.4g} A0 ({:.3g} mm): it presses with up to {} at once",
-                       which, starts.deepest, starts.deepest_m * 1e3, readable_amount(starts.force_n, "N", 3));
+    const double millimetres = starts.deepest_m * 1e3;
+    const std::string depth = job::leads_in_si(scene.job())
+                                  ? fmt::format("{:.4g} mm ({:.3g} A0)", millimetres, starts.deepest)
+                                  : fmt::format("{:.4g} A0 ({:.3g} mm)", starts.deepest, millimetres);
+    return fmt::format("{} inside the stop, by up to {}: it presses with up to {} at once", which, depth,
+                       readable_amount(starts.force_n, "N", 3));
 }
 
 }  // namespace peterka

@@ -14,6 +14,7 @@
 #include "report/axis_words.hpp"
 #include "report/basin_summary.hpp"
 #include "report/certificate_summary.hpp"
+#include "report/closing_lines.hpp"
 #include "report/elasticities_summary.hpp"
 #include "report/kicks_summary.hpp"
 #include "report/long_chaos.hpp"
@@ -137,7 +138,7 @@ std::string effort(const SummaryInput& input) {
     const Statistics& statistics = input.findings.statistics;
     const auto cells = static_cast<double>(std::max<std::int64_t>(statistics.counts.cells, 1));
     return fmt::format(
-        "\nWork\n{}  {:.1f} forcing cycles and {} per cell, {} of computing in all\n"
+        "\nWork\n{}  {:.1f} forcing cycles and {} per cell, {} on the clocks of all ranks together\n"
         "  this run: {} on {} {}\n",
         refinement(statistics), static_cast<double>(statistics.counts.cycles) / cells,
         readable_duration(statistics.tile_seconds / cells), readable_duration(statistics.tile_seconds),
@@ -161,7 +162,6 @@ std::string omitted(const SummaryInput& input) {
 }  // namespace
 
 std::string summary_text(const SummaryInput& input) {
-    const std::string file = input.file.string();
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
            basin_summary(input.scene, input.findings.basin) +
@@ -174,7 +174,7 @@ std::string summary_text(const SummaryInput& input) {
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + input.borders +
            effort(input) + certificate_summary(input.scene, input.findings.statistics) + audit(input) +
            omitted(input) +
-           fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
+           "\n" + closing_lines(kind, input.file);
 }
 
 }  // namespace peterka

@@ -158,7 +158,7 @@ std::string time_price(const job::Job& job) {
         fmt::format("#   time     {:.3g} cycles a {}: {}{} of one core{}", cost.cycles,
                     is_sweep ? "point" : "cell", cost.unseen_share > 0 ? "at least " : "some ",
                     seconds < 1e-3 ? "1 ms or less" : readable_duration(seconds),
-                    job.kind == job::Kind::curves ? " for the coarse map"
+                    job.kind == job::Kind::curves ? " for the coarse map; following curves comes on top"
                     : job.refine.levels > 0       ? " if all were computed, of which refinement spares a part"
                                                   : "");
     text += margin == 0 && cost.unseen_share == 0

@@ -10,6 +10,7 @@
 #include "curves/words.hpp"
 #include "map_file/provenance.hpp"
 #include "map_file/whole_file.hpp"
+#include "report/closing_lines.hpp"
 #include "run/deal_numbers.hpp"
 #include "run/price.hpp"
 #include "run/progress_style.hpp"
@@ -60,11 +61,9 @@ ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
                                    {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, found)},
                                    {session.size(), wall.seconds(), hosts});
         if (plan.quiet) return;
-        words = fmt::format("{}\n{}This run: {} on {} {}\nCurves file {}\nDraw it     postprocess/draw.py {}\n",
-                            curves::in_words(scene, found), curves::speed_in_words(found),
-                            readable_duration(wall.seconds()), session.size(),
-                            session.size() == 1 ? "rank" : "ranks", plan.file.string(),
-                            shell_word(plan.file.string()));
+        words = fmt::format("{}\n{}This run: {} on {} {}\n{}", curves::in_words(scene, found),
+                            curves::speed_in_words(found), readable_duration(wall.seconds()), session.size(),
+                            session.size() == 1 ? "rank" : "ranks", closing_lines("Curves file", plan.file));
     };
     parallel::failing_ends_all(session, [&] {
         try {

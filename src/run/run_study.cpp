@@ -10,6 +10,7 @@
 #include "map_file/provenance.hpp"
 #include "map_file/whole_file.hpp"
 #include "parallel/collective.hpp"
+#include "report/closing_lines.hpp"
 #include "run/solve_tasks.hpp"
 #include "run/words.hpp"
 #include "study/topic.hpp"
@@ -26,10 +27,8 @@ using parallel::Session;
 constexpr std::int64_t largest_study = 10'000'000;  // far above any observed [bytes]
 
 std::string closing_words(const Session& session, const RunPlan& plan, const Stopwatch& wall) {
-    const std::string file = plan.file.string();
-    return fmt::format("\nThis run: {} on {} {}\nStudy file {}\nDraw it    postprocess/draw.py {}\n",
-                       readable_duration(wall.seconds()), session.size(),
-                       session.size() == 1 ? "rank" : "ranks", file, shell_word(file));
+    return fmt::format("\nThis run: {} on {} {}\n{}", readable_duration(wall.seconds()), session.size(),
+                       session.size() == 1 ? "rank" : "ranks", closing_lines("Study file", plan.file));
 }
 
 // Computing the references for the comparison takes a while, too.

@@ -10,6 +10,7 @@
 #include "map_file/map_size.hpp"
 #include "map_file/provenance.hpp"
 #include "map_file/whole_file.hpp"
+#include "report/closing_lines.hpp"
 #include "report/trace_words.hpp"
 #include "run/words.hpp"
 #include "support/readable.hpp"
@@ -76,9 +77,8 @@ std::string run_alone(const RunPlan& plan, int ranks, const std::string& hosts) 
                                contents_of(scene, trace, plan.map_cell, plan.file),
                                {ranks, wall.seconds(), hosts});
     if (plan.quiet) return "";
-    return fmt::format("{}\nThis run: {}\nTrace file {}\nDraw it    postprocess/draw.py {}\n",
-                       trace_in_words(scene, trace, plan.map_cell), readable_duration(wall.seconds()),
-                       plan.file.string(), shell_word(plan.file.string()));
+    return fmt::format("{}\nThis run: {}\n{}", trace_in_words(scene, trace, plan.map_cell),
+                       readable_duration(wall.seconds()), closing_lines("Trace file", plan.file));
 }
 
 }  // namespace

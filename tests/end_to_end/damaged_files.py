@@ -31,7 +31,7 @@ SECONDS = 10  # of CPU time, after which a reader is considered to hang
 PATIENCE = 300  # the same in wall time: the machine may be busy
 PROGRAMS = ("draw", "explore")
 LARGEST = 2**30  # bytes of memory
-OF_RUN = re.compile(r"[Tt]his run:|of computing in all")  # words that depend on /run
+OF_RUN = re.compile(r"[Tt]his run:|on the clocks of all ranks together")  # words that depend on /run
 REFUSED, SAME, OTHER, TRACEBACK, WORDS = range(5)  # exit codes of a child
 
 KINDS = {

@@ -142,6 +142,13 @@ def test_starts_inside_a_stop_that_yields_are_told(tmp_path, job, which, depth):
         assert 0.9 < float(told[0][2]) / (5500 * depth * 0.89e-3) < 1
 
 
+def test_the_depth_of_starts_leads_with_the_unit_of_the_job(tmp_path):
+    in_millimetres = jobs.small_map().replace("[axes.gap_ratio]\nfrom = 0.0", "[axes.gap_m]\nfrom = -0.00178")
+    jobs.write(tmp_path, re.sub(r"(axes.gap_m\]\nfrom = \S+\n)to = \S+", r"\1to = 0.00178", in_millimetres))
+    shown = launch.run("check", "job.toml", cwd=tmp_path)
+    assert "starts lie inside the stop, by up to 1.78 mm (2 A0): it presses" in shown.stdout, shown.stdout + shown.stderr
+
+
 def test_starts_outside_of_the_stop_are_not_worth_a_word(tmp_path):
     jobs.write(tmp_path, jobs.small_map())
     assert "starts lie" not in launch.run("check", "job.toml", cwd=tmp_path).stdout
