@@ -107,6 +107,16 @@ ranks_for() { case $1 in sensitivity/* | nearby*) echo 1 ;; *) echo 2 ;; esac; }
 files=0
 all_files
 
+# The same for rigs with other ki, ci and gaps, within the errors that a measured rig has.
+rigs=$(pick 16 2)
+PYTHONPATH=postprocess /usr/bin/python3 -m peterka.claims.drawn_rigs "$folder" "$rigs"
+for number in $(seq "$rigs"); do
+    echo "[rig $number of $rigs]"
+    find "$folder/rigs/$number" -name "*.toml" | sort | while read -r job; do
+        mpirun -n 2 "$program" run "$job" --output "${job%.toml}.h5" --quiet </dev/null
+    done
+done
+
 postprocess() { /usr/bin/python3 "postprocess/$1.py" "${@:2}"; }
 echo "drawing"
 postprocess draw "$folder"/peterka_*.h5 "$folder"/basin_*.h5 --output-dir "$folder/pictures" --formats png

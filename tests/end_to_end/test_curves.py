@@ -90,6 +90,7 @@ def test_the_summary_explains_the_edges(curves):
         count, explained = (int(file[f"edges/{name}"][()]) for name in ("count", "on_curve"))
         basins = int(file["edges/basin"][()])
         assert count > 50 and explained + basins >= 0.98 * count
+    assert re.search(r"Traced from the motions of \d+ by \d+ cells: curves of motions that none of these cells shows may be missing", curves[1].stdout)
     assert "within one cell of a curve" in curves[1].stdout
     assert re.search(r"Tracing: [\d,]+ points a second and rank, median residual [\d.]+e-1[3-6]", curves[1].stdout)
 

@@ -9,6 +9,7 @@ ONE, HALF, TWICE, QUIET, CHAOS = (1, 1, 1), (1, 1, 2), (1, 2, 2), (0, 0, 1), (2,
 JOB = """
 hammer = { mass_kg = 0.298, natural_frequency_hz = 4.5 }
 cart = { amplitude_m = 0.89e-3 }
+contact = { stiffness_n_per_m = 5.5e6, damping_ns_per_m = 1.2e3 }
 """
 
 

@@ -35,7 +35,7 @@ def test_the_reason_is_told_where_a_claim_differs_and_only_there():
 
 
 def test_markdown_has_table_fields_and_pictures_once():
-    text = markdown(page.blocks(CLAIMS, [], lambda name: name == "seen"), "pictures")
+    text = markdown(page.blocks(CLAIMS, [], lambda name: name == "seen", {}), "pictures")
     assert "3 claims of Aguiar and Weber, in our words; 1 agree, 1 differ, 1 not computed." in text
     assert "| Forces are &lt;large&gt; \\| or not. | section 1 | agrees |" in text
     assert "- Verdict: **differs**\n- By how much: +2 %\n- Likely why: a cause" in text
@@ -45,7 +45,7 @@ def test_markdown_has_table_fields_and_pictures_once():
 
 def test_html_is_one_file_with_its_pictures(tmp_path):
     (tmp_path / "seen.png").write_bytes(b"\x89PNG")
-    text = html(page.blocks(CLAIMS, [], lambda name: name == "seen"), tmp_path)
+    text = html(page.blocks(CLAIMS, [], lambda name: name == "seen", {}), tmp_path)
     assert text.count('src="data:image/png;base64,iVBORw=="') == 1
     assert "Forces are &lt;large&gt;" in text and "<strong>differs</strong>" in text and "<code>jobs/paper.sh</code>" in text
 
@@ -128,7 +128,7 @@ def test_the_factor_that_removes_a_difference():
 
 
 def test_the_sensitivity_table_gives_both_shares_of_a_basin_and_says_what_some_are():
-    text = markdown(page.blocks([], [row(204, [0.5, 1], [104, np.nan]), row(None, [0.5, 1], [98, 0])], bool), "pictures")
+    text = markdown(page.blocks([], [row(204, [0.5, 1], [104, np.nan]), row(None, [0.5, 1], [98, 0])], bool, {}), "pictures")
     assert "(some = at least 10 % of the starts of each kind)" in text
     assert "| no factor from 0.5 to 1 | 104 N | no band |" in text
     assert "| some of each | stop's damping ci | none tried from 0.5 to 1 has 10 % of each | 98 / 2 N | 0 / 100 N |" in text

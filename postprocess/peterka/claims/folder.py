@@ -5,7 +5,7 @@ Files are read by the readers used for drawing, which check their input. All map
 
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -102,6 +102,13 @@ class Plane:
         """Whether a basin has both starts that end in impacts and starts that end without."""
         return min(self.share(self.strikes), self.share(self.quiet)) >= SOME
 
+    def called_nearer(self, shift: float) -> "Plane":
+        """The same cells, their gaps told as smaller by `shift` [A0]."""
+        if self.kind == "map":
+            return replace(self, rows=self.rows - shift)
+        point = self.job["operating_point"]
+        return replace(self, job=self.job | {"operating_point": point | {"gap_ratio": point["gap_ratio"] - shift}})
+
     def share(self, mask: Mask) -> float:
         """Share of all cells in the mask."""
         return float(np.mean(mask))
@@ -124,10 +131,12 @@ class Curves:
 
 
 class Folder:
-    """The files of a folder, by name without .h5."""
+    """The files of a folder, by name without .h5. Where its rig has all gaps larger by `gap_shift_mm` [mm] than they are called, they
+    are told as they are called."""
 
-    def __init__(self, path: str | Path) -> None:
+    def __init__(self, path: str | Path, gap_shift_mm: float = 0.0) -> None:
         self.path = Path(path)
+        self.gap_shift_mm = gap_shift_mm
 
     def plane(self, name: str) -> Plane | None:
         """The cells of a map or a basin; None if the file does not exist."""
@@ -140,7 +149,9 @@ class Folder:
         if not path.exists():
             return None
         with CurvesFile(path) as file:
-            return Curves(read_job(file), file.crossings)
+            job = read_job(file)
+            shift = self.gap_shift_mm / (1e3 * job["cart"]["amplitude_m"])
+            return Curves(job, [replace(each, gap_ratio=each.gap_ratio - shift) for each in file.crossings])
 
     def planes(self, prefix: str) -> list[Plane]:
         """All files whose names begin with `prefix`, ordered by name."""
@@ -152,7 +163,7 @@ class Folder:
         kind = "basin" if path.relative_to(self.path).as_posix().startswith(BASINS) else "map"
         if plane.kind != kind:
             raise PeterkaFileError(f"{path} is a {plane.kind}; a {kind} of this name is needed")
-        return plane
+        return plane.called_nearer(self.gap_shift_mm / plane.amplitude_mm) if self.gap_shift_mm else plane
 
     def picture(self, name: str) -> bool:
         """Whether draw.py made this picture."""

@@ -2,21 +2,24 @@
 
     claims.py FOLDER [--page DIR]
 
-Reads FOLDER/*.h5 and FOLDER/pictures, and writes into DIR (default: FOLDER) the page as claims.md, with its pictures in
+Reads FOLDER/*.h5, those of drawn rigs in FOLDER/rigs/NUMBER, and FOLDER/pictures, and writes into DIR (default: FOLDER) the page as claims.md, with its pictures in
 pictures/, and as claims.html in one file. A claim whose file is missing is listed as not computed.
 Exit codes: 0 done, whatever the verdicts; 2 a file cannot be read; 3 the page cannot be written.
 """
 
 import argparse
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 from ..claims import starts_picture
 from ..claims.claims import all_claims
+from ..claims.drawn_rigs import agreements, drawn_rig
 from ..claims.folder import Folder
 from ..claims.html import html
 from ..claims.markdown import markdown
 from ..claims.page import Block, Pictures, blocks
+from ..claims.record import Claim
 from ..claims.sensitivity import rows
 from ..errors import PeterkaFileError
 from ..files.whole_file import write_text
@@ -37,7 +40,7 @@ def _claims():
     try:
         draw_starts(folder)
         groups = all_claims(folder)
-        text = blocks(groups, rows(folder), folder.picture)
+        text = blocks(groups, rows(folder), folder.picture, agreements(claims_of_rigs(arguments.folder)))
         write(text, folder.path / "pictures", page)
     except PeterkaFileError as refusal:
         complain(refusal)
@@ -67,6 +70,13 @@ def read_arguments() -> argparse.Namespace:
     if not arguments.folder.is_dir():
         parser.error(f"{arguments.folder} is no folder")
     return arguments
+
+
+def claims_of_rigs(path: Path) -> Iterator[list[Claim]]:
+    """The claims by the files of each drawn rig, of which FOLDER/rigs has a folder by its number."""
+    for rig in sorted(each for each in path.glob("rigs/*") if each.name.isdigit()):
+        folder = Folder(rig, drawn_rig(int(rig.name)).gap_mm)
+        yield [claim for _, group in all_claims(folder) for claim in group]
 
 
 def draw_starts(folder: Folder) -> None:
