@@ -52,6 +52,19 @@ def starts_page(starts_file):
     return pages.written(starts_file)
 
 
+def test_shares_are_those_of_the_gap_shown(browser, sweep_file, sweep_page):
+    browser.open(sweep_page)
+    kept = stored(sweep_file)
+    told = []
+    for number, gap in enumerate(np.unique(kept["gap_ratio"])):
+        browser.driver.execute_script("const s = document.getElementById('gap'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", number)
+        here = kept["gap_ratio"] == gap
+        quiet = 100 * np.mean(kept["regime"][here] == 0)
+        told.append(re.findall(r"no impact ([\d.]+) %", browser.text("legend")))
+        assert told[-1] == ([f"{quiet:.1f}"] if quiet > 0 else []), (gap, browser.text("legend"))
+    assert len(set(map(tuple, told))) > 1
+
+
 def stored(file):
     with h5py.File(file) as data:
         return {name: data[name][()] for name in data if isinstance(data[name], h5py.Dataset)}

@@ -3,6 +3,7 @@
 import sys
 
 import h5py
+import numpy as np
 import pages
 import pytest
 from conftest import JOBS
@@ -13,6 +14,7 @@ from peterka.plotting.classes import CLASSES  # noqa: E402
 
 SIZE = 12
 SMALL = (f"axes.frequency_ratio.points={SIZE}", f"axes.gap_ratio.points={SIZE}", "uncertainty.rigs=20")
+LOWEST = "#440154"  # of viridis
 COLOURS = {entry.label: entry.colour for entry in CLASSES}
 PARTS = ("regime", "impacts", "period", "probability")
 
@@ -92,6 +94,22 @@ def test_layers_of_outcomes_have_titles_and_forces_both_units(browser, uncertain
     assert not any(name.startswith(("outcome_regime", "outcome_impacts", "outcome_period")) for name in titles)
     ticks = browser.ask("[...document.querySelectorAll('#legend .scale span')].map((one) => one.textContent)")
     assert all(tick.endswith(" N") for tick in ticks) and len(ticks) > 2
+    about = browser.ask("document.querySelector('#legend .about').textContent")
+    assert about == "force that 95 % of drawn rigs reach (weights of the hammer, N)"  # the job is in ratios
+
+
+def test_the_own_rig_hides_no_force_of_drawn_rigs(browser, uncertain):
+    page, cells = uncertain
+    hidden = [(row, column) for row, column in zip(*np.nonzero((cells["regime"] == 0) & (cells["force_q95_ratio"] > 0)))]
+    without = [(row, column) for row, column in zip(*np.nonzero((cells["regime"] == 0) & (cells["force_q95_ratio"] == 0)))]
+    assert hidden and without
+    browser.open(page, "layer=force_q95_ratio")
+    browser.settle()
+    assert "no impact" not in browser.text("legend")
+    for row, column in without:
+        assert browser.pixel("map", *browser.place(column, row, SIZE, SIZE)).lower() == LOWEST
+    for row, column in hidden:
+        assert browser.pixel("map", *browser.place(column, row, SIZE, SIZE)) != COLOURS["no impact"]
 
 
 def test_a_sweep_of_uncertain_rigs_opens_and_solves_its_points(browser, tmp_path):

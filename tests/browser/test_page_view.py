@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 import pages
 import pytest
-from conftest import SIZE
+from conftest import JOBS, SIZE
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.keys import Keys
@@ -101,6 +101,22 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
         assert browser.text("legend").strip()
         pictures.add(browser.ask("document.getElementById('map').toDataURL()"))
     assert len(pictures) >= len(offered) - 1  # status and chatter may be constant over the map
+    assert browser.complaints() == []
+
+
+def test_elasticities_are_signed_and_cells_without_one_are_told(browser, tmp_path):
+    file = pages.compute(tmp_path, JOBS / "peterka_170mm.toml", *(f"axes.{name}_ratio.points={SIZE}" for name in ("frequency", "gap")),
+                         'output.fields=["force_elasticity"]')
+    with h5py.File(file) as data:
+        values, regime = data["force_elasticity_gap_m"][()], data["regime"][()]
+    lost = np.isnan(values) & ~np.isin(regime, (0, 3, 4, 5))
+    assert lost.any() and (values < 0).any()
+    browser.open(pages.written(file), "layer=force_elasticity_gap_m")
+    browser.settle()
+    assert browser.ask("document.querySelector('#legend .about').textContent") == "peak force by gap (% per %)"
+    assert f"no value {100 * lost.mean():.1f} %" in browser.text("legend")
+    ticks = browser.ask("[...document.querySelectorAll('#legend .scale span')].map((one) => Number(one.textContent.replace('−', '-')))")
+    assert ticks == [-tick for tick in reversed(ticks)] and max(ticks) <= np.nanpercentile(np.abs(values), 95)
     assert browser.complaints() == []
 
 

@@ -43,6 +43,7 @@ NUMBERS = {
     "contact_coefficient": ("#762024", "xx.."),
 }
 RESULTS = {"force": "peak force", "speed": "impact speed"}
+DATASETS = frozenset(f"{result}_elasticity_{number}" for result in RESULTS for number in NUMBERS)
 
 
 def datasets(file: PeterkaFile) -> dict[str, str]:
@@ -59,13 +60,13 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | No
     sizes = np.abs(reduced.image[np.isfinite(reduced.image)])
     if not sizes.size:
         return None
+    top = top_of(reduced.image)
     image, counts = class_picture(file, ["regime", name], _lacking, len(OTHERS))
     looks = _looks()
     handles = [axes.legend_patch(words, looks[n], n == 1) for n, (words, *_) in enumerate(OTHERS) if counts[n] and _is_seen(image, n, reduced)]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, image, looks, 1)
     low, high = style.current().limits or (None, None)
-    top = float(np.percentile(sizes, TOP)) or 1.0
     colours = scale_colours() if style.is_grey() else COLOURS
     low, high = -top if low is None else low, top if high is None else high
     farthest = max(abs(low), abs(high))  # 0 is white whatever the limits
@@ -75,7 +76,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | No
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if sizes.max() > top else "neither")
     bar.outline.set_linewidth(0.6)
     bar.ax.set_xlim(low, high)
-    bar.set_label(f"{_result(name)} by {spoken(number)} (% per %)", fontsize=8)
+    bar.set_label(f"{words(name)} (% per %)", fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax)
     return ax
@@ -145,6 +146,17 @@ def deviation_of(file: PeterkaFile, number: str) -> float | Reals | None:
             with np.errstate(divide="ignore"):
                 return None if value is None else absolute / np.abs(value)
     return None
+
+
+def top_of(values: Reals) -> float:
+    """Where the scale of these elasticities ends, on either side of 0."""
+    sizes = np.abs(values[np.isfinite(values)])
+    return float(np.percentile(sizes, TOP)) or 1.0 if sizes.size else 1.0
+
+
+def words(dataset: str) -> str:
+    """An elasticity in words: "peak force by stop stiffness"."""
+    return f"{_result(dataset)} by {spoken(dataset.partition('_elasticity_')[2])}"
 
 
 def spoken(number: str) -> str:

@@ -5,7 +5,7 @@ const abgr = (colour) => {
   return ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
 };
 const CLASS_COLOURS = Uint32Array.from(content.classes, (one) => abgr(one.colour));
-const SCALE_COLOURS = Uint32Array.from(content.viridis, abgr);
+const scaleOf = (layer) => (layer.diverging ? content.diverging : content.viridis);
 const NO_VALUE_COLOUR = content.no_value;
 const MISSING = classIndex["not computed yet"];
 const [HATCH, BARE] = [abgr("#B4B4B4"), abgr("#FFFFFF")];
@@ -39,14 +39,18 @@ const hatched = (x, y) => ((x + y) % 9 < 2 ? HATCH : BARE);
 
 // Cells without a value, or without a meaningful one, keep the colour of their class.
 const APART = content.apart.map((one) => classIndex[one]);
+// The regime of the job's own rig says nothing of what rigs drawn do.
+const isOfDraws = (layer) => /^(force_q\d\d_ratio|speed_q\d\d|outcome)/.test(layer.name);
+const apartOf = (layer) => (isOfDraws(layer) ? [MISSING] : APART);
 
 function numberPainter(layer) {
   const { raw } = file.labels;
   const kinds = content.labels.table.map(([, , , number]) => number);
-  const apart = kinds.map((number) => APART.includes(number));
+  const apart = kinds.map((number) => apartOf(layer).includes(number));
   const none = abgr(NO_VALUE_COLOUR);
-  const step = (SCALE_COLOURS.length - 1) / (layer.top - layer.low);
-  const last = SCALE_COLOURS.length - 1;
+  const colours = Uint32Array.from(scaleOf(layer), abgr);
+  const last = colours.length - 1;
+  const step = last / (layer.top - layer.low);
   return (out, from, first, columns, y) => {
     for (let x = 0; x < columns.length; ++x) {
       if (columns[x] < 0) {
@@ -59,9 +63,19 @@ function numberPainter(layer) {
       if (kinds[label] === MISSING) out[from + x] = hatched(x, y);
       else if (apart[label] && !(value > 0)) out[from + x] = CLASS_COLOURS[kinds[label]];
       else if (Number.isNaN(value)) out[from + x] = none;
-      else out[from + x] = SCALE_COLOURS[Math.max(0, Math.min(last, Math.round((value - layer.low) * step)))];
+      else out[from + x] = colours[Math.max(0, Math.min(last, Math.round((value - layer.low) * step)))];
     }
   };
+}
+
+// Of a layer of numbers: {label, colour, share} of cells that have none and keep no colour of their class; [] if there are no such cells.
+function withoutValue(layer) {
+  const kinds = content.labels.table.map(([, , , number]) => number);
+  let count = 0;
+  for (let cell = 0; cell < toldCells; ++cell) {
+    if (Number.isNaN(layer.plane.at(cell)) && !apartOf(layer).includes(kinds[file.labels.raw[cell]])) ++count;
+  }
+  return count > 0 ? [{ label: "no value", colour: NO_VALUE_COLOUR, share: share(count) }] : [];
 }
 
 // One colour per word or attractor number.

@@ -16,6 +16,7 @@ from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.coordinates import SPOKEN
 from ..files.opened import OpenedFile
 from ..plotting import classes
+from ..maps import elasticity_map
 from ..maps.map_file import PeterkaFile
 
 from . import planes
@@ -74,9 +75,9 @@ def layers_of(file: PeterkaFile, name: str, every: int, room: int) -> list[tuple
     return None
 
 
-def viridis() -> list[str]:
-    """The colour scale of the pictures, from low to high."""
-    return [to_hex(colour) for colour in colormaps["viridis"](np.linspace(0, 1, 256))]
+def scale(name: str) -> list[str]:
+    """A colour scale of the pictures, from low to high."""
+    return [to_hex(colour) for colour in colormaps[name](np.linspace(0, 1, 256))]
 
 
 def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: int = 0) -> tuple[dict[str, Any], bytes]:
@@ -95,6 +96,10 @@ def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: i
         plane, packed = planes.reals(values)
     else:
         plane, packed = _shortened(values, room)
+    if dataset in elasticity_map.DATASETS:  # as in their pictures
+        top = elasticity_map.top_of(values)
+        return description | {"title": elasticity_map.words(dataset), "about": "", "unit": "% per %", "diverging": True, "plane": plane,
+                              "low": -top, "top": top}, packed
     return description | {"plane": plane} | _span(values), packed
 
 

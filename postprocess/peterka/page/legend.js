@@ -11,14 +11,15 @@ function drawLegend(parent, layer, counts = undefined) {
   if (layer.name === "commonest") return entriesInto(parent, classEntries(kindCounts(commonestKinds())));
   if (isWords(layer)) return entriesInto(parent, wordEntries(layer));
   const bar = Object.assign(document.createElement("div"), { className: "bar" });
-  bar.style.background = `linear-gradient(to right, ${content.viridis.filter((_, i) => i % 15 === 0).join(", ")})`;
+  bar.style.background = `linear-gradient(to right, ${scaleOf(layer).filter((_, i) => i % 15 === 0).join(", ")})`;
   const scale = Object.assign(document.createElement("div"), { className: "scale" });
   const newtons = (layer.over_weight && content.newtons) || null;
   const first = newtons && leadsInSi ? newtons : 1; // of the unit whose ticks are round
   for (const value of ticksBetween(layer.low * first, layer.top * first, 5).values) scale.append(tickOf(layer, value / first, newtons));
   const about = Object.assign(document.createElement("div"), { className: "about", textContent: aboutLayer(layer) });
   parent.append(about, bar, scale);
-  entriesInto(parent, classEntries(counts).filter(({ number: kind }) => APART.includes(kind)));
+  const apart = classEntries(counts).filter(({ number: kind }) => apartOf(layer).includes(kind));
+  entriesInto(parent, [...apart, ...withoutValue(layer)]);
 }
 
 function tickOf(layer, value, newtons) {
@@ -31,7 +32,8 @@ function tickOf(layer, value, newtons) {
 // Its unit after its name, or after what it is.
 const inUnit = (words, layer) => (layer.unit && layer.unit !== "1" ? `${words} (${layer.unit})` : words);
 
-const aboutLayer = (layer) => inUnit(layer.about || layer.title, layer);
+const aboutLayer = (layer) => (layer.over_weight && content.newtons
+  ? `${layer.title} (${inOrder("N", "weights of the hammer").join(", ")})` : inUnit(layer.about || layer.title, layer));
 
 function entriesInto(parent, entries) {
   const list = Object.assign(document.createElement("ul"), { className: "entries" });

@@ -107,11 +107,12 @@ function liveMap(workers, cell, view, layer, changed) {
 function liveColour(layer) {
   if (layer.name === "regime") return (regime, p, q) => abgr(REGIME_COLOURS[classOf(regime, p, q)]);
   if (layer.name !== "peak_force_ratio") return (regime, p, q) => CLASS_COLOURS[classOf(regime, p, q)];
-  const last = SCALE_COLOURS.length - 1;
+  const colours = Uint32Array.from(scaleOf(layer), abgr);
+  const last = colours.length - 1;
   return (regime, p, q, force) => {
     const kind = classOf(regime, p, q);
     if (APART.includes(kind) && !(force > 0)) return CLASS_COLOURS[kind];
     if (Number.isNaN(force)) return abgr(NO_VALUE_COLOUR);
-    return SCALE_COLOURS[Math.min(last, Math.max(0, Math.round(((force - layer.low) / (layer.top - layer.low)) * last)))];
+    return colours[Math.min(last, Math.max(0, Math.round(((force - layer.low) / (layer.top - layer.low)) * last)))];
   };
 }

@@ -13,7 +13,7 @@ from pathlib import Path
 from ..plotting import classes
 from ..plotting.axes import si_scale
 from ..plotting.coordinates import IN_MILLIMETRES, label
-from ..maps import basin_map, field_map
+from ..maps import basin_map, elasticity_map, field_map
 from ..maps.curves_file import CurvesFile
 from ..maps.map_file import PeterkaFile, axis_of
 from ..sweeps.sweep_file import SweepFile
@@ -48,7 +48,7 @@ def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | N
     if isinstance(file, CurvesFile):
         content["curves"] = edges.edges(file, partial(_keep, blobs))
     content["classes"] = [{"label": entry.label, "colour": entry.colour, "orbit": entry.orbit} for entry in classes.CLASSES]
-    content["viridis"] = layers.viridis()
+    content["viridis"], content["diverging"] = layers.scale("viridis"), layers.scale(elasticity_map.COLOURS)
     content["shades"] = [[weight, {"white": 255, "black": 0}[towards]] for weight, towards in basin_map.SHADES]
     content["no_value"] = field_map.NO_VALUE_COLOUR
     content["apart"] = [*field_map.WITHOUT_IMPACTS, "not computed yet"]

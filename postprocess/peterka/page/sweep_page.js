@@ -32,6 +32,7 @@ class SweepPage extends Page {
   showGap(gap) {
     element("gap").value = gap;
     this.view.setGap(gap);
+    this.drawLegend();
     if (this.picked) this.view.mark(this.picked);
     this.view.draw();
   }
@@ -44,9 +45,16 @@ class SweepPage extends Page {
   drawLegend() {
     const parent = element("legend");
     parent.replaceChildren();
-    entriesInto(parent, classEntries());
+    entriesInto(parent, classEntries(this.#counts()));
     const ways = new Map(content.tracks.map(({ slot, direction, words }) => (slot === null ? [direction, words] : ["known", "an attractor that is known"])));
     marksInto(parent, [...ways]);
+  }
+
+  // Points of each class on the branches of the gap shown.
+  #counts() {
+    const columns = [...file.columns.values.keys()];
+    const here = content.tracks.flatMap(({ gap }, track) => (gap === this.view.gap ? columns.map((column) => file.index(track, column)) : []));
+    return kindCounts(here.map((point) => content.labels.table[file.labels.raw[point]][3]));
   }
 
   pick(target) {
