@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 import sys
+import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -40,10 +41,10 @@ def drawn_rig(number: int) -> DrawnRig:
 
 def job_of(text: str, rig: DrawnRig) -> str:
     """The resolved text of a job, for this rig. Starts of a basin that end at the stop go on doing so."""
-    millimetres = 1e3 * float(_number(text, "cart", "amplitude_m"))
-    shift = rig.gap_mm / millimetres
-    gap = _number(text, "operating_point", "gap_ratio")
-    ends_at_stop = gap is not None and gap == _number(text, "axes.displacement_ratio", "to")
+    job = tomllib.loads(text)
+    shift = rig.gap_mm / (1e3 * job["cart"]["amplitude_m"])
+    starts = job.get("axes", {}).get("displacement_ratio")
+    ends_at_stop = starts is not None and starts["to"] == job["operating_point"]["gap_ratio"]
     changes = {("contact", "stiffness_n_per_m"): (rig.stiffness, 0.0), ("contact", "damping_ns_per_m"): (rig.damping, 0.0)}
     shifted = [("axes.gap_ratio", "from"), ("axes.gap_ratio", "to"), ("operating_point", "gap_ratio"), ("sweep", "gap_ratio"),
                ("curves", "gap_ratio"), *[("axes.displacement_ratio", "to")] * ends_at_stop]
@@ -58,11 +59,6 @@ def job_of(text: str, rig: DrawnRig) -> str:
             number = re.sub(r"[-+.\de]+", lambda found: repr(float(found[0]) * factor + offset), number)
         lines.append(f"{key}{equals}{number}{comment}{words}")
     return "\n".join(lines) + "\n"
-
-
-def _number(text: str, table: str, key: str) -> str | None:
-    found = re.search(rf"^\[{re.escape(table)}\]\n(?:[^\[\n].*\n|\n)*?{key} = (\S+)", text, re.MULTILINE)
-    return found[1] if found else None
 
 
 @dataclass(frozen=True)
