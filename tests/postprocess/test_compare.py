@@ -75,7 +75,7 @@ def test_the_picture_tells_each_kind_of_difference(pair, tmp_path):
                        (3, 1): kinds.COLOURS[kinds.SAME]}
     redness = [to_rgb(colour)[0] - to_rgb(colour)[2] for colour in forces]  # the same, 5 % more, twice as much
     assert abs(redness[0]) < 0.02 and redness[0] < redness[1] < redness[2]
-    assert drawn.legend_texts() == ["same label; no force compared: no impact, chaos (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
+    assert drawn.legend_texts() == ["same label, no force compared (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
                                     "not in both files (6.2 %)"]
 
 
@@ -100,15 +100,28 @@ def test_units_are_those_asked_for(pair, run_compare, monkeypatch, units, place,
 
 
 def test_keys_that_differ_are_told_and_drawn(pair, tmp_path, run_compare):
-    for name, damping in (("a.h5", 1200.0), ("b.h5", 900.0)):
+    for name, damping, audited in (("a.h5", 1200.0, 0), ("b.h5", 900.25, 8)):
         with SealedFile(tmp_path / name, "r+") as file:
-            file.attrs["job"] = f'title = "{name}"\n[hammer]\nmass_kg = 0.298\n[contact]\ndamping_ns_per_m = {damping}\n'
-    line = "stop damping (N s/m), contact.damping_ns_per_m: 1200.0 in A, 900.0 in B"
-    assert f"\n{line}\n" in run_compare("a.h5", "b.h5")[1]
+            file.attrs["job"] = (f'title = "{name}"\n[hammer]\nmass_kg = 0.298\n[contact]\ndamping_ns_per_m = {damping}\n'
+                                 f'[audit]\ncells = {audited}\n')
+    lines = ["stop damping (N s/m), contact.damping_ns_per_m: 1,200 in A, 900.25 in B", "audit.cells: 0 in A, 8 in B"]
+    assert "\n{}\n{}\n".format(*lines) in run_compare("a.h5", "b.h5")[1]
     with PeterkaFile(pair[0]) as a, PeterkaFile(pair[1]) as b:
-        assert comparison.differing_keys(a, b) == [line] and comparison.differing_keys(a, a) == []
+        assert comparison.differing_keys(a, b) == lines and comparison.differing_keys(a, a) == []
         title = comparison_map.draw(a, b, comparison.compare(a, b))._suptitle.get_text()
-    assert title == "Sample\nA: a, B: b\nstop damping (N s/m): 1200.0 in A, 900.0 in B"
+    assert title == "Sample\nA: a, B: b\nstop damping (N s/m): 1,200 in A, 900.25 in B"
+
+
+def test_a_column_of_a_journal_in_grey(pair, tmp_path, run_compare, monkeypatch):
+    drawn = []
+    monkeypatch.setattr(compare, "save_all", lambda figure, *_: drawn.append(Drawn(figure, tmp_path / "picture.png")))
+    assert run_compare(*pair, "--palette", "grey", "--width", "84", "--no-title")[0] == 0
+    figure = drawn[0].figure
+    assert figure.get_figwidth() * 25.4 == pytest.approx(84) and figure._suptitle is None
+    assert np.ptp(drawn[0].pixels[..., :3], axis=-1).max() == 0  # no colour anywhere
+    edge = figure.bbox.width
+    extents = [text.get_window_extent() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+    assert extents and all(0 <= each.x0 and each.x1 <= edge for each in extents)
 
 
 def test_a_coarser_grid_is_compared_where_its_points_are_the_others(tmp_path, run_compare):

@@ -64,7 +64,7 @@ def test_the_best_place_is_told_in_words_and_drawn(tmp_path, operate):
     assert f"of all rigs at least {100 * least_share_above(4, 64):.3g} %, in 19 cases of 20" in told
     place = next(line for line in lines if line.startswith("best: "))
     assert "commonest motion = 1/1" in place and f"at least {best:.4g} N in all cells of its box" in place
-    head, first = next((line, lines[n + 1]) for n, line in enumerate(lines) if "its least probability" in line)
+    head, first = next((line, lines[n + 1]) for n, line in enumerate(lines) if "least probability of z" in line)
     assert first.split()[1] == "1/1" and first.split()[-1] == "%" and float(first.split()[-2]) > 90 and "worst of its box [N]" in head
     assert (tmp_path / "pictures" / "a_operating_point_risk.png").exists()
 

@@ -1,6 +1,6 @@
 """Compares two map files, or two basins, cell by cell: where regime, z = p/q or peak force differ.
 
-    compare.py A.h5 B.h5 [--units both|si|ratio] [--output-dir DIR] [--formats png,pdf]
+    compare.py A.h5 B.h5 [--units both|si|ratio] [--palette colour|grey] [--width MM] [--output-dir DIR] [--formats png,pdf]
 
 Prints the keys of the jobs that differ, counts, the labels that differ, and B's peak force over A's; draws A_against_B.
 Rig, start and solver may differ. Where the grids differ, the points of the coarser one that the other has are compared.
@@ -19,7 +19,7 @@ from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
-from .picture_options import add_units_argument
+from .picture_options import add_look_arguments, check_style, style_of
 
 
 def main() -> int:
@@ -30,7 +30,7 @@ def main() -> int:
 def _compare():
     arguments = read_arguments()
     try:
-        with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second, using(units=arguments.units):
+        with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second, using(**style_of(arguments)):
             found = comparison.compare(first, second)
             tell(comparison.text(first, second, found))
             figure = comparison_map.draw(first, second, found)
@@ -52,5 +52,7 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("first", metavar="A.h5", type=Path)
     parser.add_argument("second", metavar="B.h5", type=Path)
     parser.add_picture_arguments()
-    add_units_argument(parser)
-    return parser.parse_args()
+    add_look_arguments(parser)
+    arguments = parser.parse_args()
+    check_style(parser, arguments)
+    return arguments

@@ -2,7 +2,7 @@
 
     operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
                        [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--risk 0.95] [--verify]
-                       [--units both | si | ratio]
+                       [--units both | si | ratio] [--palette colour | grey] [--width MM]
 
 A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
 that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without impact
@@ -39,7 +39,7 @@ from ..plotting.style import using
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
-from .picture_options import add_units_argument
+from .picture_options import add_look_arguments, check_style, style_of
 
 
 def main() -> int:
@@ -50,7 +50,7 @@ def main() -> int:
 def _operating_point():
     arguments = read_arguments()
     try:
-        with PeterkaFile(arguments.map) as file, using(units=arguments.units):
+        with PeterkaFile(arguments.map) as file, using(**style_of(arguments)):
             return operate(file, arguments)
     except (PeterkaFileError, verify.NotVerified) as refusal:
         complain(refusal)
@@ -132,7 +132,7 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if boxes:
         tell(f"  {apart}: {boxes}")
     tell(f"  {risk.text_of_sampling(file, arguments.risk, draws)}")
-    for line in words.table(file, places, quantity, "its least probability"):
+    for line in words.table(file, places, quantity, "least probability of z"):
         tell(line)
     tell(words.best_lines(file, places[0], quantity, {})[0])
     said = quantity, draws.in_words, "\n".join(filter(None, [drift, boxes]))
@@ -187,8 +187,9 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--peterka", metavar="PROGRAM", type=Path)
     parser.add_argument("--ranks", metavar="N", type=read_count, default=1, help="of --verify, started by mpirun; default: 1")
     parser.add_picture_arguments()
-    add_units_argument(parser)
+    add_look_arguments(parser)
     arguments = parser.parse_args()
+    check_style(parser, arguments)
     if arguments.risk is not None and arguments.starts is not None:
         parser.error("--risk takes the starts of the drawn rigs; it doesn't go with --starts")
     arguments.starts = read_starts(arguments.starts, parser)

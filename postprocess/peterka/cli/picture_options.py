@@ -21,22 +21,22 @@ ROUNDING = 1e-6  # of a step of an axis: 1.9 as a ratio and 8.55 Hz differ in th
 
 
 def add_style_arguments(parser: argparse.ArgumentParser) -> None:
-    """--width, --dpi, --font, --no-title, --limits, --log, --palette, --units and --zoom."""
-    parser.add_argument("--width", metavar="MM", type=number_within(*WIDTHS), help="width of a picture; 84 fits a column of most journals")
-    parser.add_argument("--dpi", type=number_within(*DPIS), help="dots per inch; default: as many as the cells need")
-    parser.add_argument("--font", metavar="NAME", help="a font family of this machine")
-    parser.add_argument("--no-title", dest="title", action="store_false", help="leave the title out, for the caption has it")
+    """Those of add_look_arguments, --limits, --log and --zoom."""
+    add_look_arguments(parser)
     parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces; with --units si in N, m/s, s, ... whatever the scale's prefix, otherwise in the "
                              "ratio that it shows (forces over the hammer's weight), or in SI where there is none")
     parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
-    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
-    add_units_argument(parser)
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
                         help="part of the axes, exactly from end to end, whichever unit the job has: in ratios, or in Hz and mm with --units si")
 
 
-def add_units_argument(parser: argparse.ArgumentParser) -> None:
-    """--units."""
+def add_look_arguments(parser: argparse.ArgumentParser) -> None:
+    """--width, --dpi, --font, --no-title, --palette and --units."""
+    parser.add_argument("--width", metavar="MM", type=number_within(*WIDTHS), help="width of a picture; 84 fits a column of most journals")
+    parser.add_argument("--dpi", type=number_within(*DPIS), help="dots per inch; default: as many as the cells need")
+    parser.add_argument("--font", metavar="NAME", help="a font family of this machine")
+    parser.add_argument("--no-title", dest="title", action="store_false", help="leave the title out, for the caption has it")
+    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
     parser.add_argument("--units", choices=UNITS, default=UNITS[0],
                         help="ratios and Hz, mm and m/s, or one of both alone, in pictures and in what is printed; default: both")
 
@@ -44,7 +44,7 @@ def add_units_argument(parser: argparse.ArgumentParser) -> None:
 def style_of(arguments: argparse.Namespace) -> dict[str, object]:
     """The fields of a Style that are set by the arguments."""
     names = ("width", "dpi", "font", "title", "limits", "log", "palette", "units")
-    return {name: getattr(arguments, name) for name in names}
+    return {name: getattr(arguments, name) for name in names if hasattr(arguments, name)}
 
 
 def check_style(parser: argparse.ArgumentParser, arguments: argparse.Namespace) -> None:
@@ -54,7 +54,7 @@ def check_style(parser: argparse.ArgumentParser, arguments: argparse.Namespace) 
         if arguments.font not in get_font_names():
             parser.error(f"there is no font '{arguments.font}' on this machine; fc-list tells which there are")
     for name in ("limits", "zoom"):
-        ends = getattr(arguments, name) or ()
+        ends = getattr(arguments, name, None) or ()
         if any(not low < high for low, high in zip(ends[::2], ends[1::2])):
             parser.error(f"--{name} wants the smaller number first")
 

@@ -26,6 +26,7 @@ SHARES = (1, 50, 99)  # % of the cells; reported quantiles of the ratio
 MOST_KEYS = 6  # differing keys listed
 NAMES = ("regime", "impacts", "period", "peak_force_ratio")
 UNTOLD = ("title",)  # reported elsewhere
+OF_A_RUN = ("audit", "certificate", "limits", "output")  # tables that change no cell: untold in a picture
 LONGEST_JOB, LONGEST_VALUE = 100_000, 40
 _ORBIT = 8  # label codes below this are regimes
 
@@ -134,14 +135,16 @@ def change(ratio: float) -> str:
     return f"{100 * (ratio - 1):+.3g} %" if 0.1 < ratio < 10 else f"{ratio:.3g} times"
 
 
-def differing_keys(first: PeterkaFile, second: PeterkaFile, has_keys: bool = True) -> list[str]:
-    """A line for each key in which the jobs differ, with both values; empty if there is none. `has_keys`: whether a key that is known
-    by words is named beside them."""
+def differing_keys(first: PeterkaFile, second: PeterkaFile, is_whole: bool = True) -> list[str]:
+    """A line for each key in which the jobs differ, with both values; empty if there is none. `is_whole`: with keys that change no cell,
+    and with the name of a key that is known by words beside them."""
     jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
     if None in jobs:
         return []
     keys = [key for key in dict.fromkeys([*jobs[0], *jobs[1]]) if jobs[0].get(key) != jobs[1].get(key)]
-    lines = [f"{_called(key, has_keys)}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
+    if not is_whole:
+        keys = [key for key in keys if key.partition(".")[0] not in OF_A_RUN]
+    lines = [f"{_called(key, is_whole)}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
     more = len(lines) - MOST_KEYS
     return lines if more <= 0 else [*lines[:MOST_KEYS], f"and {more} more keys"]
 
@@ -170,7 +173,10 @@ def _flat(table, path=""):
 
 
 def _value(job, key):
-    return harmless(str(job[key]), LONGEST_VALUE) if key in job else "nothing"
+    if key not in job:
+        return "nothing"
+    value = job[key]
+    return f"{value:,.15g}" if isinstance(value, float) else harmless(str(value), LONGEST_VALUE)
 
 
 def _moves(codes_a, codes_b):

@@ -1,7 +1,7 @@
 """Picture of the differences between two files at their common points: regime, z = p/q, or peak force.
 
 Cells with the same label and a lasting force are coloured by B's force over A's: blue if weaker, red if stronger, white if
-equal. Other cells have a flat colour. A block of a reduced picture shows its largest difference.
+equal; in the grey palette from light to dark. Other cells have a flat colour. A block of a reduced picture shows its largest difference.
 """
 
 import numpy as np
@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from ..plotting import axes, style, units
+from .field_map import scale_colours, without_value
 from .comparison import NAMES, Comparison, differing_keys, has_lasting_force, label_codes, there
 from .map_file import PeterkaFile
 from .reduce import LIMIT, block_size, largest, with_edges
@@ -20,7 +21,8 @@ LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
 FORCE_COLOURS = "RdBu_r"
 SAME, ORBIT, REGIME, MISSING = range(4)
 COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
-NAMES_OF_KINDS = ["same label; no force compared: no impact, chaos", "same regime, other z", "other regime", "not in both files"]
+HATCHES = ["", "//", "xx", ""]  # in the grey palette
+NAMES_OF_KINDS = ["same label, no force compared", "same regime, other z", "other regime", "not in both files"]
 
 
 @style.using()
@@ -36,11 +38,12 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
         kinds.append(largest(kind.astype(float), block).astype(np.uint8))
     reduced = with_edges(plane, np.concatenate(kinds), block)
     total = counts.sum() + len(comparison.force_ratio)
-    handles = [axes.legend_patch(f"{name} ({axes.percent(counts[kind] / total)})", COLOURS[kind], kind == MISSING)
+    looks = [without_value(*look) for look in zip(COLOURS, HATCHES)]
+    handles = [axes.legend_patch(f"{name} ({axes.percent(counts[kind] / total)})", looks[kind], kind == MISSING)
                for kind, name in enumerate(NAMES_OF_KINDS) if counts[kind]]
     has_forces = len(comparison.force_ratio) > 0
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=has_forces)
-    axes.show_classes(ax, reduced, COLOURS, MISSING)
+    axes.show_classes(ax, reduced, looks, MISSING)
     if has_forces:
         image = np.ma.masked_where(reduced.image != SAME, np.ma.masked_invalid(np.concatenate(ratios)))
         _draw_ratios(figure, ax, bar_ax, reduced, image, comparison.force_ratio)
@@ -52,14 +55,14 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
 def _words(first, second, plane):
     """Below A's title: B's title, if different, the files, and the differing keys."""
     title = [second.title] if second.title != first.title else []
-    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second, has_keys=False),
+    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second, is_whole=False),
             *filter(None, [plane.in_words])]
 
 
 def _draw_ratios(figure, ax, bar_ax, reduced, image, ratio):
     logarithm = np.abs(np.log(ratio))
     span = float(np.clip(np.exp(np.percentile(logarithm, MOST)), LEAST_SPAN, WIDEST_SPAN))
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, image, cmap=FORCE_COLOURS, norm=LogNorm(1 / span, span),
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, image, cmap=scale_colours() if style.is_grey() else FORCE_COLOURS, norm=LogNorm(1 / span, span),
                          rasterized=True)
     beyond = logarithm.max() > np.log(span)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if beyond else "neither")

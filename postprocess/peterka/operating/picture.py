@@ -10,6 +10,7 @@ from ..arrays import Reals
 from ..plotting import axes, style, units
 from ..plotting.notes import write_near_box
 from ..plotting.seen import SEEN
+from ..maps.field_map import scale_colours
 from ..maps.map_file import PeterkaFile
 from ..maps.reduce import block_size, largest, with_edges
 from .admitted import Quantity
@@ -18,7 +19,7 @@ from .places import Place
 
 WIDTH = 3.7  # in
 INSIDE = 2  # pixels, between a number and the sides of its box, in all
-COLOURS, NOTHING = "viridis", "#F2F2F2"
+NOTHING = "#F2F2F2"
 
 
 @style.using()
@@ -28,7 +29,7 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     quantity, starts, drift = what
     block = block_size(file.shape)
     reduced = with_edges(file, largest(worst, block), block)
-    entries = [axes.legend_patch("no such place", NOTHING)]
+    entries = [axes.legend_patch("no such place", _nothing())]
     if file.computed < 1:
         entries.append(axes.legend_patch("not computed yet", None, hatched=True))
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(entries, 2, None)], bar=True)
@@ -36,7 +37,7 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     _show_computed(ax, file, block)
     factor, unit = units.with_prefix(quantity.factor * max(place.worst for place in places), quantity.unit)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image) * quantity.factor * factor,
-                         cmap=COLOURS, vmin=0, vmax=quantity.factor * factor * places[0].worst, rasterized=True)
+                         cmap=scale_colours(), vmin=0, vmax=quantity.factor * factor * places[0].worst, rasterized=True)
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
@@ -51,8 +52,12 @@ def _show_computed(ax, file, block):
     """Draws a pale background under all computed cells."""
     pieces = [largest(np.where(band["regime"] < 0, np.nan, 0.0), block) for _, band in file.bands(["regime"], block)]
     ground = with_edges(file, np.concatenate(pieces), block)
-    ax.pcolormesh(ground.column_edges, ground.row_edges, np.ma.masked_invalid(ground.image), cmap=axes.ListedColormap([NOTHING]),
+    ax.pcolormesh(ground.column_edges, ground.row_edges, np.ma.masked_invalid(ground.image), cmap=axes.ListedColormap([_nothing()]),
                   rasterized=True)
+
+
+def _nothing() -> str:
+    return "#FFFFFF" if style.is_grey() else NOTHING  # which the scale hasn't
 
 
 def _mark(ax, file, places, rows, columns, quantity):
