@@ -31,7 +31,7 @@ OTHER_COLOUR = "#F2F2F2"
 NO_VALUE_COLOUR = "#F7C6D0"  # cells whose value is missing, e.g. no contact force for a rigid stop
 LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of strongly stable orbits are very negative
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
-GREY_SCALE = (95, 8)  # lightness of the smallest and the largest value in the grey palette
+GREY_SCALE = (88, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
 GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
 WITHOUT_IMPACTS = ("no impact", "sustained contact", "unresolved", "failed")

@@ -20,8 +20,8 @@ from . import sweep_panels
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS, direction_words
 
-BAND, MEDIAN = {"facecolor": "#B8C4CE", "linewidth": 0}, {"color": "black", "linewidth": 1.3}
-OWN_WIDTH = 0.8  # pt, of the branches of the job's own rig, in the looks of their directions
+BAND, MEDIAN = {"facecolor": "#B8C4CE", "linewidth": 0}, {"color": "black", "linewidth": 1.3, "linestyle": (0, (1, 1.2))}
+OWN_WIDTH = 1.0  # pt, of the branches of the job's own rig, in the looks of their directions
 
 
 @picture(SweepFile)
