@@ -20,6 +20,7 @@ os.environ.setdefault("LIVE_CELLS", str(Path(os.environ["PETERKA_BINARY"]).paren
 
 PLAIN, RIGS, COLUMNS, ROWS, SEED = int(os.environ.get("PETERKA_PLAIN_DRAWS", "300")), 64, 8, 5, 2027
 MOST = 5.0  # standard errors
+AT_A_TIME = 500
 FORCES, SPEEDS = ("force_q05_ratio", "force_q50_ratio", "force_q95_ratio"), ("speed_q05", "speed_q50", "speed_q95")
 JOB = """schema = 1
 kind = "map"
@@ -86,13 +87,19 @@ def drawn(own, random, frequency, gap):
             return uncertain_rigs.placed(own, rig, frequency, gap, 0.03 * random.standard_normal() * own["amplitude_m"])
 
 
+def solved(rigs):
+    """As uncertain_rigs.solve, a few at a time, as it waits for each call only so long."""
+    found = [uncertain_rigs.solve(rigs[first:first + AT_A_TIME]) for first in range(0, len(rigs), AT_A_TIME)]
+    return [label for labels, _ in found for label in labels], np.concatenate([strengths for _, strengths in found])
+
+
 def compare(own, random, folder):
     """(cells, comparisons, deviations in standard errors) of a rig."""
     cells = uncertain_rigs.told(uncertain_rigs.compute(folder, job_of(own), "--fresh", "--quiet")[0])
     found = []
     for row, gap in enumerate(cells["gap_ratio"]):
         for column, frequency in enumerate(cells["frequency_ratio"]):
-            labels, strengths = uncertain_rigs.solve([drawn(own, random, frequency, gap) for _ in range(PLAIN)])
+            labels, strengths = solved([drawn(own, random, frequency, gap) for _ in range(PLAIN)])
             found += uncertain_rigs.deviations(cells, row, column, RIGS, labels, strengths, SPEEDS if own["law"] == 1 else FORCES)
     return found
 
