@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "support/expect.hpp"
+
 namespace peterka::attractors {
 
 namespace {
@@ -55,6 +57,7 @@ std::vector<KickTried> KickScan::next(std::span<const Outcome> outcomes) {
 }
 
 void KickScan::take(std::span<const Outcome> outcomes) {
+    PETERKA_EXPECT(outcomes.empty() || outcomes.size() == tried_.size());
     const double before = bound();
     for (std::size_t i = 0; i < outcomes.size(); ++i) take_one(tried_[i], outcomes[i]);
     if (chaotic_ && chaos_dies()) dies_ = true;

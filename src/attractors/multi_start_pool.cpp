@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "support/expect.hpp"
+
 namespace peterka::attractors {
 
 MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
@@ -59,9 +61,11 @@ void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
 void MultiStartPool::keep(regime::SearchPool::NumberedOutcome& search) {
     if (!searches_many_) return take_({search.number, {search.outcome.result, {}}, search.seconds});
     const auto where = searches_.find(search.number);
+    PETERKA_EXPECT(where != searches_.end());
     const auto [number, place] = where->second;
     searches_.erase(where);
     Open& cell = *cells_.at(number);
+    PETERKA_EXPECT(place < cell.ended.size() && cell.running > 0);
     cell.ended[place] = std::move(search.outcome);
     cell.seconds += search.seconds;
     if (--cell.running > 0) return;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "support/expect.hpp"
+
 namespace peterka::curves {
 
 namespace {
@@ -54,6 +56,7 @@ void add_condition(const PlacedRig& rig, const OrbitPoint& point, const Unknowns
             return;
         }
         case Condition::Kind::slow:
+            PETERKA_EXPECT(condition.event < point.orbit.events.size());
             result.values[row] = point.orbit.events[condition.event].velocity;
             result.jacobian(row, unknowns.velocity(condition.event)) = 1;
             return;
@@ -105,6 +108,7 @@ Condition Condition::without_acceleration(std::size_t event) {
 }
 
 Equations equations(const Rig& rig, const OrbitPoint& point, const std::vector<Condition>& conditions) {
+    PETERKA_EXPECT(point.orbit.period > 0 && !point.orbit.events.empty());
     Equations result = equations_of(rig.at(point.place), point, conditions);
     const Unknowns unknowns(point.orbit);
     for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "support/expect.hpp"
 #include "support/readable.hpp"
 
 namespace peterka::findings {
@@ -39,6 +40,7 @@ ProvedPeak proved_peak(const quantities::StoredCell& cell) {
 
 void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::int64_t row,
               std::int64_t column) {
+    PETERKA_EXPECT(cell.regime != cell::Regime{cell::regime_not_computed} && row >= 0 && column >= 0);
     Counts& counts = statistics.counts;
     ++counts.cells;
     counts.filled += cell.computed ? 0 : 1;

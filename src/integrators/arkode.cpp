@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "support/expect.hpp"
+
 #include "integrators/steppers.hpp"
 
 namespace peterka::integrators {
@@ -71,6 +73,7 @@ bool ArkodeStepper::evolve(void* solver, double stop, int task, LegPoint& point)
 }
 
 void ArkodeStepper::start(const State<double>& x, double length, double longest_step) {
+    PETERKA_EXPECT(length > 0 && longest_step > 0 && x.allFinite());
     begin(x, length);
     restart(solver_.get(), now_, length);
     require_arkode(ARKodeSetMaxStep(solver_.get(), longest_step), "ARKodeSetMaxStep");

@@ -1,5 +1,7 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "support/expect.hpp"
+
 #include "integrators/steppers.hpp"
 
 namespace peterka::integrators {
@@ -37,6 +39,7 @@ CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
 }
 
 void CvodeStepper::start(const State<double>& x, double length, double longest_step) {
+    PETERKA_EXPECT(length > 0 && longest_step > 0 && x.allFinite());
     begin(x, length);
     store(now_, unknowns_.get());
     require_cvode(CVodeReInit(solver_.get(), 0, unknowns_.get()), "CVodeReInit");

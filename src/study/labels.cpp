@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "regime/solve_cell.hpp"
+#include "support/expect.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka::study {
@@ -52,6 +53,7 @@ Labels::Labels(const job::Job& job) : scene_(job) {
 }
 
 Labels::Result Labels::solve(std::int64_t task) const {
+    PETERKA_EXPECT(0 <= task && task / cells() < std::ssize(runs_));
     const EngineRun& run = runs_[static_cast<std::size_t>(task / cells())];
     const std::int64_t index = task % cells();
     const scene::Cell cell = scene_.cell(index / scene_.columns(), index % scene_.columns());
