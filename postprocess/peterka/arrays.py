@@ -8,3 +8,4 @@ from numpy.typing import NDArray
 Reals = NDArray[np.floating[Any]]
 Integers = NDArray[np.integer[Any]]
 Mask = NDArray[np.bool_]
+ma: Any = np.ma  # masked arrays: numpy has no types for them
