@@ -6,6 +6,7 @@ each number is known, by its product with the number's relative standard deviati
 has the same colour in every picture. A block of a reduced map shows what is farthest from 0, or the commonest number.
 """
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -168,8 +169,7 @@ def _identified(spreads: Mapping[str, Any], path: str) -> float | None:
     covariance: Any = spreads.get("covariance")
     try:
         n = covariance["of"].index(path)
-        deviation: float = float(covariance["matrix"][n][n]) ** 0.5
-        return deviation
+        return math.sqrt(covariance["matrix"][n][n])
     except (TypeError, KeyError, ValueError, IndexError):
         return None
 

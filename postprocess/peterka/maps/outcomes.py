@@ -6,6 +6,7 @@ On [rows][columns], of all draws, where no impact counts as 0: force_q05_ratio, 
 stop without a force, speed_q05, speed_q50, speed_q95 [m/s]; outcome_others, the probability of the motions that are not kept.
 """
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -109,7 +110,7 @@ def _uncertain(tables: dict[str, Any]) -> Iterator[str]:
         of, matrix = covariance.get("of", []), covariance.get("matrix", [])
         for n, key in enumerate(of):
             try:
-                yield _spread(str(key), {"standard_deviation": float(matrix[n][n]) ** 0.5})
+                yield _spread(str(key), {"standard_deviation": math.sqrt(matrix[n][n])})
             except (IndexError, TypeError, ValueError):
                 continue
         if len(of) > 1:
