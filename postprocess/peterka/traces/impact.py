@@ -9,7 +9,7 @@ from ..arrays import Reals
 from ..plotting import figures
 from ..plotting.picture import picture
 from . import trace_look
-from .trace_file import HardestImpact, TraceFile
+from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 3.7, 4.2  # in
 
@@ -29,8 +29,8 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     milliseconds = 1000 * motion["time_from_touch"]
     force, unit = trace_look.force(file, motion["force_ratio"])
     above.plot(milliseconds, force, **trace_look.FORCE_LINE)
-    if impact.peak_time is not None:
-        _label_peak(above, file, impact, impacts["touch_time"][number])
+    if impact.peak_time is not None and impact.peak_force_ratio is not None:
+        _label_peak(above, file, impact.peak_time - impacts["touch_time"][number], impact.peak_force_ratio)
         _label_jump(above, file, impacts["touch_force_ratio"][number])
         above.set_ylim(top=1.28 * np.max(force))
     above.set_ylabel(f"force ({unit})")
@@ -46,10 +46,9 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     return [above, below]
 
 
-def _label_peak(ax: Axes, file: TraceFile, impact: HardestImpact, touch_time: float) -> None:
-    assert impact.peak_time is not None
-    peak, unit = trace_look.force(file, impact.peak_force_ratio)
-    at = 1000 * (impact.peak_time - touch_time)
+def _label_peak(ax: Axes, file: TraceFile, since_touch: float, ratio: float) -> None:
+    peak, unit = trace_look.force(file, ratio)
+    at = 1000 * since_touch
     ax.plot([at], [peak], marker="o", markersize=3.5, color="black", zorder=5)
     ax.annotate(f"peak {peak:.4g} {unit}\nafter {at:.3g} ms", (at, peak), xytext=(8, 3), textcoords="offset points",
                 fontsize=8, va="bottom")
