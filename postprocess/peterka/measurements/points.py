@@ -220,11 +220,11 @@ def _lies_inside(table: CsvTable, line: int, point: Point, file: Plane) -> bool:
 
 def _gap(table: CsvTable, line: int, gap: float | None, file: _Sweep) -> float | Literal[False] | None:
     """The sweep's gap; None for a point of all gaps, False for a gap not in the sweep."""
-    if gap is None:
-        if len(file.gaps) > 1:
-            raise table.refusal(f"has no gap, and the sweep has {len(file.gaps)} of them; add gap_mm or gap_ratio", line)
+    if gap is None and len(file.gaps) > 1:
+        raise table.refusal(f"has no gap, and the sweep has {len(file.gaps)} of them; add gap_mm or gap_ratio", line)
+    away = {own: abs(own - gap) for own in file.gaps if own is not None} if gap is not None else {}
+    if not away:  # or the sweep doesn't tell its own
         return None
-    away = {own: abs(own - gap) for own in file.gaps if own is not None}
     nearest = min(away, key=lambda own: away[own])
     return nearest if away[nearest] < SAME else False
 
