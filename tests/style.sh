@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Formatting and static analysis: clang-format must change nothing in the C++ code, clang-tidy must find nothing there, and
-# mypy nothing in the type hints of postprocess.
+# mypy, by its strict rules, nothing in the type hints of postprocess.
 # Each folder of src is read as one unit, headers once, so names must be unique in their folder.
 # Installs all three where they are missing.
 #   tests/style.sh [--deep]

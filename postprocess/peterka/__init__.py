@@ -36,6 +36,7 @@ cli        shared by the command-line programs: an interpreter with the packages
 """
 
 import importlib
+from typing import Any
 
 _USED = {"run": "runs", "check": "runs", "open": "runs", "JobError": "errors", "PeterkaError": "errors",
          "PeterkaFileError": "errors", "draw": "drawing",
@@ -43,12 +44,12 @@ _USED = {"run": "runs", "check": "runs", "open": "runs", "JobError": "errors", "
 __all__ = sorted(_USED)
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """Imports each public name on first use: the programs request packages only after checking that they are installed."""
     if name not in _USED:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f".{_USED[name]}", __name__), name)
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return __all__

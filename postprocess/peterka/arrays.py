@@ -1,4 +1,4 @@
-"""Array types for annotations. Shapes and units are stated in the docstrings."""
+"""Array types for annotations, and `ma`, numpy's masked arrays, which have none. Shapes and units are stated in the docstrings."""
 
 from typing import Any
 
@@ -8,3 +8,4 @@ from numpy.typing import NDArray
 Reals = NDArray[np.floating[Any]]
 Integers = NDArray[np.integer[Any]]
 Mask = NDArray[np.bool_]
+ma: Any = np.ma

@@ -53,7 +53,8 @@ def launch(command: Sequence[str], environment: Mapping[str, str], progress: Pro
                 os.close(descriptor)
 
 
-def _listen(process, terminal, bar):
+def _listen(process: subprocess.Popen[bytes], terminal: int, bar: "_Bar") -> Finished:
+    assert process.stdout is not None
     written = {process.stdout.fileno(): bytearray(), terminal: bytearray()}
     with selectors.DefaultSelector() as selector:
         for descriptor in written:
@@ -70,39 +71,40 @@ def _listen(process, terminal, bar):
     return Finished(process.wait(), stdout, _without_bar(stderr))
 
 
-def _read(descriptor):
+def _read(descriptor: int) -> bytes:
     try:
         return os.read(descriptor, AT_ONCE)
     except OSError:  # the other end of the terminal is closed
         return b""
 
 
-def _without_bar(text):
+def _without_bar(text: str) -> str:
     return "\n".join(line for line in re.split(r"[\r\n]+", text) if line and not BAR.match(line))
 
 
 class _Bar:
     """Reports a program's progress, from the end of its latest output."""
 
-    def __init__(self, progress):
-        self.progress, self.rest, self.told = progress, b"", None
+    def __init__(self, progress: Progress) -> None:
+        self.progress, self.rest = progress, b""
+        self.told: float | None = None
 
-    def look_at(self, piece):
+    def look_at(self, piece: bytes) -> None:
         """piece: the program's output; empty once it has ended."""
         if self.progress is False:
             return
         *lines, self.rest = re.split(rb"[\r\n]+", self.rest + piece)
-        bars = [line for line in lines if BAR.match(line.decode("utf-8", "replace"))]
+        bars = [bar for line in lines if (bar := BAR.match(line.decode("utf-8", "replace")))]
         if bars:
-            self.tell(bars[-1].decode("utf-8", "replace"))
+            self.tell(bars[-1])
         if not piece and self.progress is True and self.told is not None:
             sys.stderr.write("\n")
 
-    def tell(self, line):
-        share = float(BAR.match(line)[1]) / 100
+    def tell(self, bar: re.Match[str]) -> None:
+        share = float(bar[1]) / 100
         if self.progress is True:
-            sys.stderr.write(f"\r{line.rstrip()}")
+            sys.stderr.write(f"\r{bar.string.rstrip()}")
             sys.stderr.flush()
-        elif share != self.told:
+        elif share != self.told and self.progress:
             self.progress(share)
         self.told = share

@@ -37,8 +37,8 @@ class Row:
 
     name: str
     kinds: tuple[str, ...]
-    draw: Callable
-    has: Callable[[Any], bool] = lambda file: True  # a file of these kinds
+    draw: Callable[..., Any]
+    has: Callable[[Any], object] = lambda file: True  # a file of these kinds
     takes: tuple[str, ...] = ()
 
 
@@ -120,7 +120,7 @@ def picture_name(file: OpenedFile, name: str) -> str:
 def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
                 borders: Sequence[Border] = NO_BORDERS,
                 unstable: Sequence[UnstableBranch] = NO_UNSTABLE, curves: Lines | None = None,
-                probability: str = uncertain_map.IMPACTS) -> dict[str, Callable]:
+                probability: str = uncertain_map.IMPACTS) -> dict[str, Callable[..., Any]]:
     """{name: draw(file, ax=None)} of all pictures of an open file; each may still find nothing to draw. `cycles`: length of
     the short run whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map; `borders` and
     `unstable` orbits: over those of a sweep; `curves`: over a map, which has one picture more with them;

@@ -1,12 +1,14 @@
 """The results page in Markdown: findings of studies and map files, with the pictures beside it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from .files.harmless import harmless
 from .files.opened import OpenedFile
 from .maps.audit_map import compared_errors
+from .maps.map_file import PeterkaFile
+from .maps.tables import Audit
 from .pictures import picture_name
 from .studies.study_file import StudyFile
 from .studies.study_words import (
@@ -24,7 +26,7 @@ def page(files: Sequence[OpenedFile]) -> str:
     sections = [INTRODUCTION]
     for topic, write in (("work_precision", _work_precision), ("labels", _labels), ("stability", _stability)):
         sections += [write(file) for file in files if isinstance(file, StudyFile) and file.topic == topic]
-    maps = [file for file in files if file.kind == "map"]
+    maps = [file for file in files if isinstance(file, PeterkaFile) and file.kind == "map"]
     if maps:
         sections.append(_omitted(maps))
     return "\n\n".join(sections) + "\n"
@@ -35,12 +37,12 @@ def pictures(files: Sequence[OpenedFile]) -> list[str]:
     return [f"{picture_name(file, file.topic)}.png" for file in files if isinstance(file, StudyFile)]
 
 
-def _picture(file):
+def _picture(file: StudyFile) -> str:
     name, = pictures([file])
     return f"![{file.topic.replace('_', ' ')}]({name})"
 
 
-def _work_precision(file):
+def _work_precision(file: StudyFile) -> str:
     cells = file.table.outcome.shape[1]
     return "\n\n".join([
         f"## Error and time: {harmless(file.title, page=True)}",
@@ -52,7 +54,7 @@ def _work_precision(file):
     ])
 
 
-def _labels(file):
+def _labels(file: StudyFile) -> str:
     return "\n\n".join([
         "## What errors do to a map",
         f"{harmless(file.title, page=True)}: a map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
@@ -62,7 +64,7 @@ def _labels(file):
     ])
 
 
-def _stability(file):
+def _stability(file: StudyFile) -> str:
     return "\n\n".join(filter(None, [
         "## Where engines break",
         f"{len(file.table.scene)} stiff and extreme scenes. An engine agrees with the reference, says why it has no "
@@ -74,7 +76,7 @@ def _stability(file):
     ]))
 
 
-def _omitted(maps):
+def _omitted(maps: Iterable[PeterkaFile]) -> str:
     parts = ["## What `auto` left out"]
     for file in maps:
         sentences = [harmless(line, None, page=True) for line in file.data.text("summary/omitted")]
@@ -83,7 +85,7 @@ def _omitted(maps):
     return "\n\n".join(parts)
 
 
-def _audit_sentence(audit):
+def _audit_sentence(audit: Audit | None) -> str:
     """Evidence that skipping cells was safe: what an engine that skips nothing found in a sample of the cells."""
     if audit is None or audit.count == 0:
         return "No cell of this map was audited."

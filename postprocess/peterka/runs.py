@@ -5,7 +5,7 @@ import re
 import shutil
 import tempfile
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +32,7 @@ RIG = re.compile(r"""^[ \t]*(?:rig|"rig"|'rig')[ \t]*=.*$""", re.MULTILINE)
 PLACE = re.compile(r"^(?:peterka: )?\S*?job\.toml:", re.MULTILINE)
 
 
-def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
+def open(path: str | os.PathLike[str]) -> xarray.Dataset:  # noqa: A001: peterka.open
     """Opens, checks and verifies the file at this path and returns it as a dataset; values are read lazily.
 
     Dimensions are (gap_ratio, frequency_ratio) for a map, (velocity_ratio, displacement_ratio) for a basin, (branch,
@@ -46,7 +46,7 @@ def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
     return dataset_of(data)
 
 
-def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.PathLike | None = None,
+def run(job: str | os.PathLike[str] | Mapping[str, Any], ranks: int = 2, *, output: str | os.PathLike[str] | None = None,
         progress: Progress = False, **changes: Any) -> xarray.Dataset:
     """Computes a job and returns its file as open() does; a file that already holds the result is only opened.
 
@@ -67,7 +67,7 @@ def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.Pa
         return data if output is not None else data.load()
 
 
-def check(job: str | os.PathLike | Mapping, **changes: Any) -> str:
+def check(job: str | os.PathLike[str] | Mapping[str, Any], **changes: Any) -> str:
     """The meaning and cost of a job, as printed by the program's `check`. Raises JobError with all faults of the
     job, other PeterkaErrors if the program fails or is missing."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
@@ -75,7 +75,7 @@ def check(job: str | os.PathLike | Mapping, **changes: Any) -> str:
         return _call(["check", _argument(_written(job, Path(folder))), *settings], 1)
 
 
-def _written(job, folder):
+def _written(job: str | os.PathLike[str] | Mapping[str, Any], folder: Path) -> Path:
     """The path of a job; text or tables are first written to a file in `folder`. Rig files are resolved from the current directory."""
     if isinstance(job, Mapping):
         job = text_of(job)
@@ -86,7 +86,7 @@ def _written(job, folder):
     return path
 
 
-def _with_rig_from_here(job):
+def _with_rig_from_here(job: str) -> str:
     """The job's text with an absolute path to its rig file; invalid TOML is returned unchanged, for the program to report."""
     try:
         rig = tomllib.loads(job).get("rig")
@@ -94,15 +94,16 @@ def _with_rig_from_here(job):
         return job
     if not isinstance(rig, str) or "\0" in rig:
         return job
-    return RIG.sub(lambda _: text_of({"rig": str(Path(rig).absolute())}).rstrip("\n"), job, count=1)
+    line = text_of({"rig": str(Path(rig).absolute())}).rstrip("\n")
+    return RIG.sub(lambda _: line, job, count=1)
 
 
-def _argument(path):
+def _argument(path: str | os.PathLike[str]) -> str:
     """The path in a form that the program cannot take for an option."""
     return os.path.join(".", path) if str(path).startswith("-") else str(path)
 
 
-def _flat(changes):
+def _flat(changes: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """(table.key, value) of each change."""
     for name, value in changes.items():
         key = name.replace("__", ".")
@@ -112,11 +113,11 @@ def _flat(changes):
             yield key, value
 
 
-def _override(value):
+def _override(value: object) -> str:
     return value if isinstance(value, str) else text_of({"value": value}).removeprefix("value = ").strip()
 
 
-def _call(arguments, ranks, progress=False):
+def _call(arguments: Sequence[str], ranks: int, progress: Progress = False) -> str:
     if ranks < 1:
         raise ValueError(f"{ranks} ranks can't compute anything")
     if any("\0" in argument for argument in arguments):
@@ -134,14 +135,14 @@ def _call(arguments, ranks, progress=False):
     return done.stdout
 
 
-def _faults(text):
+def _faults(text: str) -> list[str]:
     """One fault per line of the program's output, without what mpirun appends."""
     lines = text.split("\n-----")[0].splitlines()
     faults = [PLACE.sub("job:", line).removeprefix("peterka: ") for line in lines if line.strip()]
     return faults or ["the job is refused without a word"]
 
 
-def _binary():
+def _binary() -> str:
     for found in (os.environ.get("PETERKA_BINARY"), CHECKOUT / "build" / "peterka", shutil.which("peterka")):
         if found and Path(found).is_file():
             return str(found)

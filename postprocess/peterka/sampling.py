@@ -12,7 +12,7 @@ DOUBT = 0.05  # probability 1/20
 
 def share_excluded(draws: int) -> float:
     """The share excluded by this many draws that all end elsewhere: one of that share would be missed with probability 1/20."""
-    return 1 - DOUBT ** (1 / draws)
+    return float(1 - DOUBT ** (1 / draws))
 
 
 def draws_needed(share: float) -> int:

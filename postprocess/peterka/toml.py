@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 
@@ -11,7 +11,7 @@ def text_of(tables: Mapping[str, Any]) -> str:
     return "\n".join(_lines(tables, ())) + "\n"
 
 
-def _lines(table, path):
+def _lines(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
     values = {key: value for key, value in table.items() if not isinstance(value, Mapping)}
     if path and (values or not table):
         yield f"[{'.'.join(path)}]"
@@ -21,7 +21,7 @@ def _lines(table, path):
             yield from _lines(inner, (*path, str(key)))
 
 
-def _value(value):
+def _value(value: Any) -> str:
     if hasattr(value, "tolist"):  # numpy's numbers and arrays
         value = value.tolist()
     if isinstance(value, bool):

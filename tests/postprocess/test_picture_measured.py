@@ -57,6 +57,15 @@ def test_points_of_one_gap_need_none(tmp_path):
     assert point.gap is None
 
 
+def test_of_a_sweep_that_does_not_tell_its_gap_points_of_any_gap_are_drawn(tmp_path):
+    path = write_sweep(tmp_path / "a.h5", gaps=(1.5,))
+    (tmp_path / "points.csv").write_text("frequency_ratio,gap_ratio\n2,1.5\n")
+    with SweepFile(peterka.open(path).drop_vars("gap_ratio")) as file:
+        assert file.gaps == [None]
+        found = read_measurements(tmp_path / "points.csv", file)
+    assert [point.gap for point in found.points] == [None] and found.left_out == []
+
+
 def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
     found = points(tmp_path, "natural_frequency_hz,gap_ratio,frequency_ratio\n4.5,0,2\n5.25,0,2\n4.5,3.37,2\n")
     assert len(found.points) == 1

@@ -136,6 +136,11 @@ def test_a_damaged_trace_is_refused(tmp_path, draw, name, values, message):
     assert outcome.code == 2 and message in outcome.stderr
 
 
+def test_without_its_peak_force_an_impact_has_no_peak_named(tmp_path):
+    figure = drawn(replaced(write_trace(tmp_path / "a.h5"), "impact/peak_force_ratio", None), impact, tmp_path)
+    assert not any(text.get_text().startswith("peak") for text in figure.axes[0].texts)
+
+
 def test_the_sketch_of_the_rig_names_its_coordinates():
     """As in the README; no text leaves it or overlaps another."""
     figure = rig_sketch.draw()

@@ -252,6 +252,7 @@ def test_a_job_that_tells_no_rigs_is_refused(tmp_path):
     ('[uncertainty.covariance]\nof = ["contact.stiffness_n_per_m", "contact.damping_ns_per_m"]\nmean = [1.0, 1.0]\n'
      "matrix = [[1e8, 0.0], [0.0, 100.0]]", "stop stiffness ±1e+04 N/m, stop damping ±10 N s/m, together as identified"),
     ('[uncertainty.covariance]\nof = ["contact.stiffness_n_per_m"]\nmatrix = [["x"]]\n[uncertainty.contact]\nx = 3\n', ""),
+    ('[uncertainty.covariance]\nof = ["contact.stiffness_n_per_m"]\nmatrix = [[-1e8]]\n', ""),
 ])
 def test_the_caption_tells_what_is_uncertain(tmp_path, table, words):
     path = write_uncertain(tmp_path / "a.h5")

@@ -4,6 +4,7 @@ Compares the largest worst-case force of any place with drift to the largest one
 case over the box of drift and over all starts of the map, whatever the regime, as in operating_point.py.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,9 +31,9 @@ class Kept:
     """For each gap of a map, (rows,): the gap in mm, and the largest worst-case force of any place in N, `still` (without
     drift) and `drifting`; 0 if no place has one."""
 
-    gaps: np.ndarray
-    still: np.ndarray
-    drifting: np.ndarray
+    gaps: Reals
+    still: Reals
+    drifting: Reals
 
     @property
     def kept(self) -> Reals:
@@ -75,15 +76,15 @@ def kept_of(path: Path, hertz: float, starts: str) -> Kept:
         return Kept(1000 * metres * file.rows.values, *largest)
 
 
-def _higher(found):
+def _higher(found: Mapping[str, Kept]) -> dict[str, str]:
     """For each rig, a description of the gaps above the first."""
     return {rig: "; ".join(_in_words(each, row) for row in range(1, len(each.gaps))) for rig, each in found.items()}
 
 
-def _in_words(found, row):
+def _in_words(found: Kept, row: int) -> str:
     text = f"{found.gaps[row]:.2g} mm {found.still[row]:.4g} N"
     return text + (f", {percent(round(found.kept[row], 3))} of it with the drift" if found.drifting[row] else ", none with the drift")
 
 
-def _listed(words):
+def _listed(words: Mapping[str, str]) -> str:
     return ". ".join(f"{rig}: {text}" for rig, text in words.items())

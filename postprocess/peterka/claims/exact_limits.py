@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..maps.curves_file import RIG, SAME_GAP, WORDS
+from ..maps.curves_file import RIG, SAME_GAP, WORDS, Crossing, Curve
 from .folder import Folder, Plane
 
 FILE = "curves_170mm"
@@ -29,14 +29,14 @@ def limits(folder: Folder, plane: Plane, found: tuple[float, float], z: tuple[in
             for value, borders in zip(found, near)]
 
 
-def _borders(folder, plane, z, row, hz, step):
+def _borders(folder: Folder, plane: Plane, z: tuple[int, int], row: int, hz: float, step: float) -> list[Limit]:
     return [Limit(border.frequency_ratio * plane.natural_frequency_hz, WORDS[border.curve.kind])
             for border in _crossings(folder, plane)
             if abs(border.gap_ratio - plane.rows[row]) < SAME_GAP and _bounds(border.curve, z)
             and abs(border.frequency_ratio * plane.natural_frequency_hz - hz) <= step]
 
 
-def _bounds(curve, z):
+def _bounds(curve: Curve, z: tuple[int, int]) -> bool:
     """Whether the orbit of z ends or changes on this curve."""
     if curve.kind == "period_doubling" and (2 * curve.impacts, 2 * curve.period) == z:
         return True
@@ -44,8 +44,9 @@ def _bounds(curve, z):
     return curve.period == z[1] and (more == 0 or (curve.kind == "grazing" and more == 1))
 
 
-def _crossings(folder, plane):
+def _crossings(folder: Folder, plane: Plane) -> list[Crossing]:
     """The file's curves, if computed for the same rig."""
     curves = folder.curves(FILE)
-    same_rig = curves is not None and all(curves.job.get(name) == plane.job.get(name) for name in RIG)
-    return curves.crossings if same_rig else []
+    if curves is None or any(curves.job.get(name) != plane.job.get(name) for name in RIG):
+        return []
+    return curves.crossings

@@ -4,7 +4,7 @@ Files are read by the readers used for drawing, which check their input. All map
 """
 
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -35,23 +35,25 @@ class Plane:
     path: Path
     kind: str
     job: dict[str, Any]
-    rows: np.ndarray
-    columns: np.ndarray
-    regime: np.ndarray
-    impacts: np.ndarray
-    period: np.ndarray
-    peak_force_ratio: np.ndarray  # F/(m g)
-    last_impact: np.ndarray | None
+    rows: Reals
+    columns: Reals
+    regime: Integers
+    impacts: Integers
+    period: Integers
+    peak_force_ratio: Reals  # F/(m g)
+    last_impact: Integers | None
 
     @property
     def natural_frequency_hz(self) -> float:
         """Natural frequency of the hammer on its springs."""
-        return self.job["hammer"]["natural_frequency_hz"]
+        value: float = self.job["hammer"]["natural_frequency_hz"]
+        return value
 
     @property
     def force_n(self) -> Reals:
         """Peak forces in N, (y, x)."""
-        return self.peak_force_ratio * self.job["hammer"]["mass_kg"] * STANDARD_GRAVITY
+        values: Reals = self.peak_force_ratio * self.job["hammer"]["mass_kg"] * STANDARD_GRAVITY
+        return values
 
     @property
     def frequency_hz(self) -> Reals:
@@ -61,21 +63,25 @@ class Plane:
     @property
     def amplitude_mm(self) -> float:
         """Amplitude of the cart [mm]."""
-        return 1e3 * self.job["cart"]["amplitude_m"]
+        value: float = 1e3 * self.job["cart"]["amplitude_m"]
+        return value
 
     def is_orbit(self, impacts: int, period: int) -> Mask:
         """Mask of the cells with the orbit z = impacts/period, (y, x)."""
-        return (self.regime == PERIODIC) & (self.impacts == impacts) & (self.period == period)
+        mask: Mask = (self.regime == PERIODIC) & (self.impacts == impacts) & (self.period == period)
+        return mask
 
     @property
     def gap_ratio(self) -> float:
         """Gap ratio of a basin."""
-        return self.job["operating_point"]["gap_ratio"]
+        value: float = self.job["operating_point"]["gap_ratio"]
+        return value
 
     @property
     def frequency_ratio(self) -> float:
         """Frequency ratio of a basin."""
-        return self.job["operating_point"]["frequency_ratio"]
+        value: float = self.job["operating_point"]["frequency_ratio"]
+        return value
 
     @property
     def label_code(self) -> Integers:
@@ -90,12 +96,14 @@ class Plane:
     @property
     def quiet(self) -> Mask:
         """Mask of the cells that end without impacts, (y, x)."""
-        return self.regime == NO_IMPACT
+        mask: Mask = self.regime == NO_IMPACT
+        return mask
 
     @property
     def strikes(self) -> Mask:
         """Mask of the cells whose impacts continue: verified orbits and chaos."""
-        return (self.regime == PERIODIC) | (self.regime == CHAOTIC)
+        mask: Mask = (self.regime == PERIODIC) | (self.regime == CHAOTIC)
+        return mask
 
     @property
     def has_both(self) -> bool:
@@ -157,7 +165,7 @@ class Folder:
         """All files whose names begin with `prefix`, ordered by name."""
         return [self._read(path) for path in sorted(self.path.glob(f"{prefix}*.h5"))]
 
-    def _read(self, path):
+    def _read(self, path: Path) -> Plane:
         """Reads a plane of the kind that the name implies."""
         plane = read_plane(path)
         kind = "basin" if path.relative_to(self.path).as_posix().startswith(BASINS) else "map"
@@ -207,7 +215,7 @@ def read_job(file: OpenedFile) -> dict[str, Any]:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error
 
 
-def _require(table, keys, least=-LARGEST):
+def _require(table: Mapping[str, Any], keys: Iterable[str], least: float = -LARGEST) -> None:
     for key in keys:
         if not is_number(table[key]) or not least <= table[key] <= LARGEST:
             raise ValueError(f"{key} = {harmless(table[key], 40)}")

@@ -1,8 +1,10 @@
 """Forces over the Peterka maps, z = 1/1 (section 4.2, Fig. 23)."""
 
+from collections.abc import Iterable, Mapping, Sequence
+
 import numpy as np
 
-from ..arrays import Reals
+from ..arrays import Integers, Mask, Reals
 from .folder import Folder, Plane
 from .record import ALL, HIGH_GAP, SHARE, Claim, claim, near, not_computed
 from .spans import widest
@@ -20,10 +22,11 @@ TIMES = 3  # as printed
 
 def claims(folder: Folder) -> list[Claim]:
     """The claims of this group."""
-    planes = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
-    missing = [f"peterka_{rig}.h5" for rig, plane in planes.items() if plane is None]
-    if missing:
-        return [not_computed(key if key.startswith("gap") else f"map_{key}", PLACE, says, missing[0])
+    found = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
+    planes = {rig: plane for rig, plane in found.items() if plane is not None}
+    if len(planes) < len(found):
+        missing = next(rig for rig in found if rig not in planes)
+        return [not_computed(key if key.startswith("gap") else f"map_{key}", PLACE, says, f"peterka_{missing}.h5")
                 for key, says in SAYS.items()]
     pictures = [f"peterka_{rig}_force_1_1" for rig in RIGS]
     return [*_natural(planes, pictures), _inside(planes, pictures), _zero_gap(planes, pictures)]
@@ -34,7 +37,7 @@ def forces_one_to_one(plane: Plane) -> Reals:
     return np.where(plane.is_orbit(1, 1), plane.force_n, 0)
 
 
-def _natural(planes, pictures):
+def _natural(planes: Mapping[str, Plane], pictures: Sequence[str]) -> list[Claim]:
     """At gap 0, any z at the natural frequency; and z = 1/1 alone, over all gaps, as in Fig. 23."""
     at_gap_0, of_one = [], []
     for plane in planes.values():
@@ -50,15 +53,15 @@ def _natural(planes, pictures):
     ]
 
 
-def _as_printed(ratios):
+def _as_printed(ratios: Sequence[float]) -> bool:
     return all(near(ratio, TIMES) for ratio in ratios)
 
 
-def _range(ratios):
+def _range(ratios: Sequence[float]) -> str:
     return " to ".join(f"{100 * (ratio / TIMES - 1):+.1f}" for ratio in (min(ratios), max(ratios))) + " %"
 
 
-def _inside(planes, pictures):
+def _inside(planes: Mapping[str, Plane], pictures: Sequence[str]) -> Claim:
     turns, right = [], []
     for plane in planes.values():
         rows, inside = _largest_lies_inside(plane)
@@ -74,13 +77,13 @@ def _inside(planes, pictures):
         "frayed", pictures)
 
 
-def _best_turn(inside):
+def _best_turn(inside: Mask) -> int:
     """The number of leading rows to call `inside` that misclassifies the fewest rows."""
     wrong = [np.sum(~inside[:turn]) + np.sum(inside[turn:]) for turn in range(len(inside) + 1)]
     return int(np.argmin(wrong))
 
 
-def _largest_lies_inside(plane):
+def _largest_lies_inside(plane: Plane) -> tuple[Integers, Mask]:
     """Rows with z = 1/1, and whether the largest force of their widest band lies inside that band."""
     rows, inside = [], []
     for row, mask in enumerate(plane.is_orbit(1, 1)):
@@ -93,7 +96,7 @@ def _largest_lies_inside(plane):
     return np.array(rows, dtype=int), np.array(inside, dtype=bool)
 
 
-def _zero_gap(planes, pictures):
+def _zero_gap(planes: Mapping[str, Plane], pictures: Sequence[str]) -> Claim:
     shares = []
     for plane in planes.values():
         forces = forces_one_to_one(plane)
@@ -104,10 +107,10 @@ def _zero_gap(planes, pictures):
         all(share >= 1 - SHARE for share in shares), f"{100 * (1 - min(shares)):.1f} % less at most", "", pictures)
 
 
-def _over(force, other):
+def _over(force: float, other: float) -> float:
     """The ratio; NaN, which agrees with nothing, if there is no other force."""
     return force / other if other > 0 else np.nan
 
 
-def _each(values, planes, factor=1.0, unit=""):
+def _each(values: Sequence[float], planes: Iterable[str], factor: float = 1.0, unit: str = "") -> str:
     return ", ".join(f"{factor * value:.3g}{unit} ({rig})" for value, rig in zip(values, planes))

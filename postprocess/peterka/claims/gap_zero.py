@@ -84,7 +84,7 @@ def label(plane: Plane, frequency_hz: float, row: int = 0) -> str:
     return f"{p}/{q}" if q else "chaotic"
 
 
-def _bands(folder, plane):
+def _bands(folder: Folder, plane: Plane) -> list[Claim]:
     below = ("the model counts every touch: at lower frequencies the hammer follows the cart and each cycle has small "
              "hops after the main impact (z = p/1, p growing as the frequency falls), which a sensor that is triggered "
              "by the main impact shows as one; the cycle still repeats")
@@ -100,16 +100,16 @@ def _bands(folder, plane):
     ]
 
 
-def _band(folder, key, plane, z, printed, inside_hz, why):
+def _band(folder: Folder, key: str, plane: Plane, z: tuple[int, int], printed: tuple[float, float], inside_hz: float, why: str) -> Claim:
     found = limits_hz(plane, *z, inside_hz)
     if found is None:
         return claim(f"gap_0_{key}", PLACE, SAYS[key], f"z = {label(plane, inside_hz)} at {inside_hz} Hz", False)
     exact = exact_limits.limits(folder, plane, found, z)
     known = [f"{name} {limit.text}" for name, limit in zip(("lower", "upper"), exact) if limit.kind]
     by_curves = f"; by the curves the {' and the '.join(known)}" if known else ""
-    found_cells, found = found, tuple(limit.hz for limit in exact)
     holds, differences = True, []
-    for name, value, limit, is_edge, outward in zip(("lower", "upper"), found, printed, at_edge(plane, found_cells), (-1, 1)):
+    computed = [limit.hz for limit in exact]
+    for name, value, limit, is_edge, outward in zip(("lower", "upper"), computed, printed, at_edge(plane, found), (-1, 1)):
         if is_edge:  # a lower bound on the distance, if the edge lies beyond the printed limit
             beyond = outward * (value - limit)
             holds = False
@@ -120,12 +120,12 @@ def _band(folder, key, plane, z, printed, inside_hz, why):
             differences.append(f"{name} limit {off_by(value, limit, 'Hz')}")
     return claim(
         f"gap_0_{key}", f"{PLACE}, Fig. 9a", SAYS[key],
-        f"z = {z[0]}/{z[1]} {in_words(plane, found_cells)}{by_curves}; at {printed[0]:.2f} Hz z = "
+        f"z = {z[0]}/{z[1]} {in_words(plane, found)}{by_curves}; at {printed[0]:.2f} Hz z = "
         f"{label(plane, printed[0])}, at {printed[1]:.2f} Hz {label(plane, printed[1])}",
         holds, "; ".join(differences), why, ["peterka_170mm_map"])
 
 
-def _labels(plane):
+def _labels(plane: Plane) -> list[Claim]:
     out = []
     for key, frequency, expected, figure, trace in (("alternating", ALTERNATING_HZ, "2/2", "Fig. 6", "12hz"),
                                                     ("half", HALF_HZ, "1/2", "Figs. 7, 8", "15hz")):
@@ -138,14 +138,14 @@ def _labels(plane):
     return out
 
 
-def _forces(plane):
+def _forces(plane: Plane) -> list[Claim]:
     force, one, two = force_at(plane, PEAK_HZ), resonance(plane, 1, 1), resonance(plane, 1, 2)
-    if None in (one, two):
+    if one is None or two is None:
         return [claim(f"gap_0_{key}", PLACE, SAYS[key], f"no z = 1/{1 if one is None else 2} at gap 0", False)
                 for key in ("peak_force", "peak_frequency", "half_is_stronger")]
     (frequency, largest), (highest_hz, highest) = one, two
-    half = np.where(plane.frequency_hz <= BAND_HALF[1], plane.force_n[0], 0)
-    half = float(np.max(half[plane.is_orbit(1, 2)[0]], initial=0))
+    inside = np.where(plane.frequency_hz <= BAND_HALF[1], plane.force_n[0], 0)
+    half = float(np.max(inside[plane.is_orbit(1, 2)[0]], initial=0))
     exceed = (f"exceed those of z = 1/1 only at higher frequencies: {highest:.4g} N at" if highest > largest else
               f"nowhere exceed those of z = 1/1: at most {highest:.4g} N, at")
     return [

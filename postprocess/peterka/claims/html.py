@@ -27,7 +27,7 @@ def html(blocks: Sequence[Block], picture_folder: str | Path) -> str:
             f"<style>{STYLE}</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n")
 
 
-def _block(block, folder):
+def _block(block: Block, folder: Path) -> str:
     match block:
         case Heading(level, text):
             return f"<h{level}>{_text(text)}</h{level}>"
@@ -43,13 +43,13 @@ def _block(block, folder):
             return "\n".join(_picture(folder, name) for name in names)
 
 
-def _picture(folder, name):
+def _picture(folder: Path, name: str) -> str:
     data, words = b64encode((folder / f"{name}.png").read_bytes()).decode(), escape(name.replace("_", " "))
     return (f'<figure><img alt="{words}" src="data:image/png;base64,{data}">'
             f"<figcaption>{words}</figcaption></figure>")
 
 
-def _text(text):
+def _text(text: str) -> str:
     """Converts the only Markdown that texts use, ** and `."""
     text = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", escape(text, quote=False))
     return re.sub(r"`(.+?)`", r"<code>\1</code>", text)

@@ -1,5 +1,6 @@
 """Jumps and hysteresis, and the effect of gap and stiffness on the impact resonance (sections 3.1-3.3, 5; Figs. 9-11, 14-16)."""
 
+from collections.abc import Mapping, Sequence
 from itertools import pairwise, product
 from pathlib import Path
 
@@ -91,15 +92,16 @@ class Sweep:
         return None
 
 
-def _hysteresis(sweep, pictures):
+def _hysteresis(sweep: Sweep, pictures: Sequence[str]) -> Claim:
     ends, words = _ends(sweep, 3)
-    if None in ends.values():
+    up, down = ends["up"], ends["down"]
+    if up is None or down is None:
         return claim("jump_3mm", PLACE, SAYS["jump_3mm"], words, False, pictures=pictures)
-    wide = ends["up"][0] - ends["down"][0]
+    wide = up[0] - down[0]
     return claim("jump_3mm", PLACE, SAYS["jump_3mm"], words, wide > FREQUENCY, f"hysteresis of {wide:.2f} Hz", "", pictures)
 
 
-def _jump(sweep, pictures):
+def _jump(sweep: Sweep, pictures: Sequence[str]) -> Claim:
     ends, words = _ends(sweep, 1)
     doubling = sweep.doubling(1)
     if doubling and None in ends.values():
@@ -109,13 +111,13 @@ def _jump(sweep, pictures):
                  "either (135 mm)", pictures)
 
 
-def _no_jump(sweep):
+def _no_jump(sweep: Sweep) -> Claim:
     ends, words = _ends(sweep, 0)
     return claim("no_jump_0mm", "section 5; Figs. 9a, 14a", SAYS["no_jump_0mm"], words,
                  all(sweep.resonance(0, direction) for direction in DIRECTIONS) and not any(ends.values()))
 
 
-def _ends(sweep, gap):
+def _ends(sweep: Sweep, gap: int) -> tuple[dict[str, tuple[float, float, float] | None], str]:
     """{direction: end_of_band()}, and a description of them."""
     ends = {direction: sweep.end_of_band(gap, direction) for direction in DIRECTIONS}
     return ends, "; ".join(
@@ -124,7 +126,7 @@ def _ends(sweep, gap):
         for direction, name in DIRECTIONS.items())
 
 
-def _jump_words(end, resonance, has_maximum):
+def _jump_words(end: tuple[float, float, float] | None, resonance: tuple[float, float] | None, has_maximum: bool) -> str:
     """Whether each direction has its own largest force, with its jump beyond or next to it."""
     if resonance is None:
         return "no z = 1/1"
@@ -136,11 +138,11 @@ def _jump_words(end, resonance, has_maximum):
     return f"a jump between {end[1]:.4g} and {end[2]:.4g} N at {end[0]:.2f} Hz, {beyond} {place}"
 
 
-def _resonance_by_gap(sweep):
+def _resonance_by_gap(sweep: Sweep) -> Claim:
     key, place = "gap_moves_resonance", "section 3.1, Figs. 9, 14; section 5"
-    found = {gap: sweep.resonance(gap) for gap in GAPS}
+    found = {gap: one for gap in GAPS if (one := sweep.resonance(gap)) is not None}
     natural = sweep.natural_frequency_hz
-    if None in found.values():
+    if len(found) < len(GAPS):
         return claim(key, place, SAYS[key], "not each gap has z = 1/1", False)
     frequencies = [frequency for frequency, _ in found.values()]
     return claim(key, place, SAYS[key],
@@ -149,12 +151,11 @@ def _resonance_by_gap(sweep):
                  not near(max(frequencies), min(frequencies)) and not any(near(hertz, natural) for hertz in frequencies))
 
 
-def _resonance_by_rig(sweeps, pictures):
+def _resonance_by_rig(sweeps: Mapping[str, Sweep], pictures: Sequence[str]) -> Claim:
     key, place = "stiffness_raises_resonance", "sections 3.2, 3.3, Figs. 9-11"
-    found = {gap: [sweeps[rig].resonance(gap) for rig in RIGS] for gap in GAPS}
-    if any(None in values for values in found.values()):
+    found = {gap: [one[0] for rig in RIGS if (one := sweeps[rig].resonance(gap)) is not None] for gap in GAPS}
+    if any(len(values) < len(RIGS) for values in found.values()):
         return claim(key, place, SAYS[key], "not each gap of each rig has z = 1/1", False, pictures=pictures)
-    found = {gap: [hertz for hertz, _ in values] for gap, values in found.items()}
     return claim(key, place, SAYS[key],
                  "; ".join(f"gap {gap} mm: " + ", ".join(f"{hertz:.2f} Hz ({rig})" for hertz, rig in zip(values, RIGS))
                            for gap, values in found.items())

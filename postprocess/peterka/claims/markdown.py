@@ -11,7 +11,7 @@ def markdown(blocks: Sequence[Block], picture_folder: str) -> str:
     return "\n\n".join(_block(block, picture_folder) for block in blocks) + "\n"
 
 
-def _block(block, folder):
+def _block(block: Block, folder: str) -> str:
     match block:
         case Heading(level, text):
             return f"{'#' * level} {_text(text)}"
@@ -20,11 +20,11 @@ def _block(block, folder):
         case Fields(lines):
             return "\n".join(f"- {name}: {_text(text)}" for name, text in lines)
         case Table(header, rows):
-            lines = [header, ["---"] * len(header), *rows]
-            return "\n".join("| " + " | ".join(_text(cell).replace("|", "\\|") for cell in line) + " |" for line in lines)
+            table = [header, ["---"] * len(header), *rows]
+            return "\n".join("| " + " | ".join(_text(cell).replace("|", "\\|") for cell in line) + " |" for line in table)
         case Pictures(names):
             return "\n".join(f"![{name.replace('_', ' ')}]({folder}/{name}.png)" for name in names)
 
 
-def _text(text):
+def _text(text: str) -> str:
     return escape(text, quote=False)

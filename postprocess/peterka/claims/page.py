@@ -71,7 +71,7 @@ def blocks(groups: Sequence[tuple[str, Sequence[Claim]]], sensitivity_rows: Sequ
     return out + _sensitivity(sensitivity_rows)
 
 
-def _introduction(claims):
+def _introduction(claims: Sequence[Claim]) -> str:
     counts = Counter(claim.verdict for claim in claims)
     text = (f"Written by `jobs/paper.sh` from the files that the program computes: {len(claims)} claims of Aguiar and "
             f"Weber, in our words; {counts[AGREES]} agree, {counts[DIFFERS]} differ")
@@ -102,7 +102,7 @@ def _overview(claims: Sequence[Claim], of_rigs: dict[str, Agreement]) -> Table:
                                 *[str(of_rigs.get(claim.key, ""))] * bool(of_rigs)) for claim in claims))
 
 
-def _strong(verdict):
+def _strong(verdict: str) -> str:
     return verdict if verdict == AGREES else f"**{verdict}**"
 
 
@@ -113,7 +113,7 @@ def _fields(claim: Claim, of_rigs: Agreement | None) -> Fields:
     return Fields(tuple((name, text) for name, text in lines if text))
 
 
-def _sensitivity(rows):
+def _sensitivity(rows: Sequence[Row]) -> list[Block]:
     if not rows:
         return []
     factors = [factor for factor in SHOWN_FACTORS if any(factor in row.factors for row in rows)]
@@ -131,15 +131,16 @@ def _sensitivity(rows):
     ]
 
 
-def _sensitivity_row(row, factors):
+def _sensitivity_row(row: Row, factors: Sequence[float]) -> tuple[str, ...]:
     values = dict(zip(row.factors.tolist(), zip(row.values.tolist(), row.quiet.tolist())))
     is_basin = row.printed is None
     printed = "some of each" if is_basin else f"{row.printed:g} {row.unit}"
     return (row.what, printed, PARAMETERS[row.parameter][2], row.answer,
-            *(_value(*values[factor], row.unit, is_basin) if factor in values else "" for factor in factors))
+            *(_value(values[factor], row.unit, is_basin) if factor in values else "" for factor in factors))
 
 
-def _value(value, quiet, unit, is_basin):
+def _value(found: tuple[float, float], unit: str, is_basin: bool) -> str:
+    value, quiet = found
     if is_basin:
         return f"{value:.4g} / {quiet:.4g} {unit}"
     return f"{value:.4g} {unit}" if value == value else "no band"

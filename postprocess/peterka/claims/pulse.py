@@ -1,9 +1,11 @@
 """Single impacts: the release test with the cart at rest, the flight after an impact, and the spectrum at the moment of
 impact (sections 4, 4.2; Figs. 13, 20, 21)."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+
 from ..arrays import Reals
 from ..traces.trace_file import TraceFile
 
@@ -69,14 +71,15 @@ def peaks(frequency: Reals, spectrum: Reals, least: float) -> list[float]:
     """Frequencies of the interior maxima of a spectrum that reach a given share of its largest value."""
     inner = spectrum[1:-1]
     found = (inner > spectrum[:-2]) & (inner >= spectrum[2:]) & (inner >= least * spectrum.max())
-    return frequency[1:-1][found].tolist()
+    result: list[float] = frequency[1:-1][found].tolist()
+    return result
 
 
-def _claim(key, computed, holds, difference="", why="", pictures=()):
+def _claim(key: str, computed: str, holds: bool, difference: str = "", why: str = "", pictures: Sequence[str] = ()) -> Claim:
     return claim(key, *SAYS[key], computed, holds, difference, why, pictures)
 
 
-def _parameters(strike):
+def _parameters(strike: Strike) -> Claim:
     stiffness, damping = identified(strike.mass, strike.restitution, strike.contact_s)
     return _claim(
         "fig_13_parameters",
@@ -90,13 +93,13 @@ def _parameters(strike):
         [f"{RELEASE}_impact", f"{RELEASE}_motion"])
 
 
-def _profile(strike):
+def _profile(strike: Strike) -> Claim:
     return _claim("fig_13_profile", f"the force jumps to {strike.touch_n:.4g} N at first touch, "
                   f"{100 * strike.touch_n / strike.peak_n:.3g} % of its peak of {strike.peak_n:.4g} N; of the real one the "
                   "paper prints no numbers", strike.touch_n > SHARE * strike.peak_n)
 
 
-def _flight(strike):
+def _flight(strike: Strike) -> Claim:
     found = peaks(strike.frequency, strike.flight, SHARE)
     low, axial = [hertz for hertz in found if hertz < LOW_HZ], [hertz for hertz in found if near(hertz, AXIAL_HZ)]
     largest, step = int(np.argmax(strike.flight)), strike.frequency[1] - strike.frequency[0]
@@ -108,7 +111,7 @@ def _flight(strike):
         len(low) > 1 and len(axial) == 1, "", FLIGHT.format(hz=strike.natural_hz), [f"{RELEASE}_spectrum"])
 
 
-def _envelope(strike):
+def _envelope(strike: Strike) -> Claim:
     half_wave = 0.5 / strike.contact_s
     return _claim(
         "fig_21_envelope", f"contact lasts {1e3 * strike.contact_s:.3g} ms, which is a half wave of {half_wave:.0f} Hz; "
@@ -116,7 +119,7 @@ def _envelope(strike):
         _is_envelope(half_wave), "", "", [f"{STRONGEST}_spectrum"])
 
 
-def _peaks(strike):
+def _peaks(strike: Strike) -> Claim:
     found = peaks(strike.frequency, strike.force, SHARE)
     low = np.flatnonzero(strike.force < strike.force[0] / 2)
     falls = f"falls to half of its value at 0 Hz at {strike.frequency[low[0]]:.0f} Hz" if len(low) else (
@@ -127,12 +130,12 @@ def _peaks(strike):
                   PULSE.format(hz=strike.natural_hz))
 
 
-def _is_envelope(hertz):
+def _is_envelope(hertz: float) -> bool:
     """Whether a frequency lies in the 1 kHz range."""
     return near(hertz, ENVELOPE_HZ, RANGE)
 
 
-def _reach(found, none):
+def _reach(found: Sequence[float], none: str) -> str:
     """The subject and verb of a sentence on how far the found peaks reach."""
     listed = ", ".join(f"{hertz:.0f}" for hertz in found)
     if len(found) > 1:

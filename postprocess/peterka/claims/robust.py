@@ -1,5 +1,7 @@
 """Gap 0 against larger gaps: what makes it robust, and whether the others jump (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
 
+from collections.abc import Sequence
+
 from .folder import Folder, Plane
 from .gap_zero import at_edge, limits_hz, resonance
 from .record import ALL, SHARE, Claim, claim, not_computed, percent
@@ -39,8 +41,8 @@ def drop_after(plane: Plane, row: int) -> float:
     return float(max(0.0, 1 - plane.force_n[row, last + 1] / plane.force_n[row, last]))
 
 
-def _robust(gaps, basins, drops):
-    forces = [resonance(gaps, 1, 1, row)[1] for row in range(len(gaps.rows))]
+def _robust(gaps: Plane, basins: Sequence[Plane], drops: Sequence[float]) -> Claim:
+    forces = [found[1] for row in range(len(gaps.rows)) if (found := resonance(gaps, 1, 1, row))]  # each gap has one
     reached = [basin.share(basin.is_orbit(1, 1)) for basin in basins]
     listed = ", ".join(f"{force:.4g} N at {_millimetres(gaps, row)}" for row, force in enumerate(forces))
     return claim(
@@ -53,9 +55,9 @@ def _robust(gaps, basins, drops):
         ["basin_170mm_gap_0_basin", "basin_170mm_gap_3_basin"])
 
 
-def _higher(gaps, drops):
+def _higher(gaps: Plane, drops: Sequence[float]) -> Claim:
     """Judges only the loss at a band's end; a narrow band also requires tuning."""
-    bands = [limits_hz(gaps, 1, 1, row=row) for row in range(len(gaps.rows))]
+    bands = [band for row in range(len(gaps.rows)) if (band := limits_hz(gaps, 1, 1, row=row))]  # each gap has one
     widths = [f"{'at least ' if any(at_edge(gaps, band)) else ''}{band[1] - band[0]:.2f} Hz" for band in bands]
     listed = "; ".join(f"{_millimetres(gaps, row)}: {percent(drop)}, band {width} wide"
                        for row, (drop, width) in enumerate(zip(drops, widths)))
@@ -66,5 +68,5 @@ def _higher(gaps, drops):
                  "at small gaps the band ends by a period doubling, as at gap 0, and not by a fold")
 
 
-def _millimetres(gaps, row):
+def _millimetres(gaps: Plane, row: int) -> str:
     return f"{gaps.rows[row] * gaps.amplitude_mm:.2g} mm"

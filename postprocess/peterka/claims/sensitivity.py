@@ -3,10 +3,12 @@
 Gaps keep their values in mm when A0 changes, as they are set by shims. Each file's own job tells what was changed.
 """
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Mask, Reals
 from ..errors import PeterkaFileError
 from .folder import LARGEST, SMALLEST, Folder, Plane
 from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, at_edge, force_at, limits_hz
@@ -31,10 +33,10 @@ class Row:
     unit: str
     printed: float | None
     parameter: str
-    factors: np.ndarray
-    values: np.ndarray
-    quiet: np.ndarray
-    has_both: np.ndarray
+    factors: Reals
+    values: Reals
+    quiet: Reals
+    has_both: Mask
 
     @property
     def answer(self) -> str:
@@ -49,7 +51,7 @@ class Row:
     def needed(self) -> float | None:
         """The factor itself; None if there is none."""
         if self.printed is None:
-            return min(self.factors[self.has_both].tolist(), key=_distance, default=None)
+            return _nearest_to_1(self.factors[self.has_both].tolist())
         return _crossing(self.factors, self.values - self.printed)
 
 
@@ -74,9 +76,8 @@ def contact_damping_with_both(folder: Folder, prefix: str) -> str:
     base = folder.plane(f"basin_{prefix.split('/')[1].rstrip('_')}")
     if base is None:
         return ""
-    moved = sorted((plane for plane in folder.planes(prefix) if _moved(plane, base) == "ci"),
-                   key=lambda plane: _distance(_factor(plane, base, "ci")))
-    for plane in moved:
+    moved = [(_distance(_factor(plane, base, "ci")), plane) for plane in folder.planes(prefix) if _moved(plane, base) == "ci"]
+    for _, plane in sorted(moved, key=lambda pair: pair[0]):
         if plane.has_both:
             return (f"with ci = {plane.job['contact']['damping_ns_per_m']:.4g} Ns/m instead of "
                     f"{base.job['contact']['damping_ns_per_m']:.4g} both are there: {outcomes(plane)}")
@@ -90,9 +91,9 @@ def outcomes(plane: Plane) -> str:
             + (f", {percent(left)} in lasting contact or undecided" if left > 0 else ""))
 
 
-def _limit(number, z, inside, end):
+def _limit(number: float, z: tuple[int, int], inside: float, end: int) -> tuple[str, str, float, Callable[[Plane], float]]:
     """Limit 0 (lower) or 1 (upper) of a band; NaN without the band, or if it extends beyond the map."""
-    def value(plane):
+    def value(plane: Plane) -> float:
         found = limits_hz(plane, *z, inside)
         return np.nan if found is None or at_edge(plane, found)[end] else found[end]
     return (f"{('lower', 'upper')[end]} limit of z = {z[0]}/{z[1]} at gap 0", "Hz", number, value)
@@ -106,7 +107,8 @@ _NUMBERS = [
 ]
 
 
-def _rows_of(folder, prefix, base, what, unit, printed, number):
+def _rows_of(folder: Folder, prefix: str, base: Plane, what: str, unit: str, printed: float | None,
+             number: Callable[[Plane], float]) -> list[Row]:
     by_parameter = {name: {1.0: base} for name in PARAMETERS}
     for plane in folder.planes(prefix):
         name = _moved(plane, base)
@@ -116,13 +118,13 @@ def _rows_of(folder, prefix, base, what, unit, printed, number):
             for name, planes in by_parameter.items() if len(planes) > 1]
 
 
-def _row(what, unit, printed, number, name, planes):
+def _row(what: str, unit: str, printed: float | None, number: Callable[[Plane], float], name: str, planes: Mapping[float, Plane]) -> Row:
     return Row(what, unit, printed, name, np.array(list(planes)), np.array([number(plane) for plane in planes.values()]),
                np.array([100 * plane.share(plane.quiet) for plane in planes.values()]),
                np.array([plane.has_both for plane in planes.values()]))
 
 
-def _parameter(plane, name):
+def _parameter(plane: Plane, name: str) -> float:
     table, key, words = PARAMETERS[name]
     try:
         value = float(plane.job[table][key])
@@ -133,25 +135,30 @@ def _parameter(plane, name):
     return value
 
 
-def _factor(plane, base, name):
+def _factor(plane: Plane, base: Plane, name: str) -> float:
     return round(_parameter(plane, name) / _parameter(base, name), 9)
 
 
-def _moved(plane, base):
+def _moved(plane: Plane, base: Plane) -> str | None:
     """The single parameter that differs; None if none or several do."""
     moved = [name for name in PARAMETERS if _factor(plane, base, name) != 1]
     return moved[0] if len(moved) == 1 else None
 
 
-def _crossing(factors, off):
+def _crossing(factors: Reals, off: Reals) -> float | None:
     """The factor nearest to 1 at which `off` crosses 0, between two neighbours that both have numbers."""
     found = []
     for n in range(len(factors) - 1):
         a, b = off[n], off[n + 1]
         if np.isfinite([a, b]).all() and a * b <= 0 and a != b:
             found.append(factors[n] + (factors[n + 1] - factors[n]) * a / (a - b))
-    return min(map(float, found), key=_distance, default=None)
+    return _nearest_to_1([float(factor) for factor in found])
 
 
-def _distance(factor):
-    return abs(np.log(factor))
+def _nearest_to_1(factors: Sequence[float]) -> float | None:
+    return min(factors, key=_distance) if factors else None
+
+
+def _distance(factor: float) -> float:
+    value: float = abs(np.log(factor))
+    return value

@@ -34,10 +34,11 @@ def depends_on_start(planes: Sequence[Plane]) -> Mask:
     codes = np.array([plane.label_code for plane in planes])
     lowest = np.where(settled, codes, np.iinfo(np.int64).max).min(axis=0)
     highest = np.where(settled, codes, -1).max(axis=0)
-    return (settled.sum(axis=0) > 1) & (lowest != highest)
+    mask: Mask = (settled.sum(axis=0) > 1) & (lowest != highest)
+    return mask
 
 
-def _region(folder):
+def _region(folder: Folder) -> Claim:
     place, says = "section 4.2, Fig. 22", SAYS["starts_region"]
     planes = folder.planes("starts/start_")
     if len(planes) < 2:
@@ -65,20 +66,20 @@ def first_of_the_rest(shares: Reals | Sequence[float], limit: float) -> int | No
     return first if first < len(shares) else None
 
 
-def _other_limits(shares, gaps):
+def _other_limits(shares: Reals, gaps: Reals) -> str:
     """The gap at which the region would begin for half or twice the required share of cells."""
     rows = {limit: first_of_the_rest(shares, limit) for limit in (SOME / 2, 2 * SOME)}
     return ", ".join(f"{percent(limit)} or more from " + ("no gap" if row is None else f"{gaps[row]:.3g} A0") + " up"
                      for limit, row in rows.items())
 
 
-def _first_basin(folder):
+def _first_basin(folder: Folder) -> Claim:
     plane = folder.plane("basin_150mm")
     if plane is None:
         return not_computed("fig_24a", f"{PLACE}a", SAYS["fig_24a"], "basin_150mm.h5")
     planes = folder.planes("nearby_150mm/gap_")
     both = nearest(planes, plane.gap_ratio, lambda other: other.has_both)
-    lasting = nearest(planes, plane.gap_ratio, lambda other: other.strikes.any())
+    lasting = nearest(planes, plane.gap_ratio, lambda other: bool(other.strikes.any()))
     why = []
     if lasting:
         why.append(f"the last gap towards the paper's point where any of the starts tried ends in impacts is gap/A0 = "
@@ -89,7 +90,7 @@ def _first_basin(folder):
                  ["basin_150mm_basin_impact", "basin_150mm_coexisting_basin_impact"])
 
 
-def _second_basin(folder):
+def _second_basin(folder: Folder) -> Claim:
     plane = folder.plane("basin_135mm")
     if plane is None:
         return not_computed("fig_24b", f"{PLACE}b", SAYS["fig_24b"], "basin_135mm.h5")
@@ -117,7 +118,7 @@ def nearest(planes: Sequence[Plane], gap_ratio: float, suits: Callable[[Plane], 
     return min(suitable, key=lambda plane: abs(plane.gap_ratio - gap_ratio)) if suitable else None
 
 
-def _nearest_with_both(both, planes):
+def _nearest_with_both(both: Plane | None, planes: Sequence[Plane]) -> str:
     if both:
         return (f"; the nearest gap with at least {percent(SOME)} of each is gap/A0 = {both.gap_ratio:.4g}, where "
                 f"{outcomes(both)}")

@@ -4,6 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
+
+from ..arrays import Integers
 from ..plotting import axes, style
 from ..maps.map_file import PeterkaFile
 from ..maps.reduce import class_picture
@@ -22,7 +24,11 @@ def draw(file: PeterkaFile, planes: Sequence[Plane]) -> Figure:
     kinds = np.where(depends_on_start(planes), 1, 0)
     kinds[~np.any([plane.is_settled for plane in planes], axis=0)] = 2
     rows = iter(kinds)
-    reduced, counts = class_picture(file, ["regime"], lambda regime: np.stack([next(rows) for _ in regime]), len(NAMES))
+
+    def classify(regime: Integers) -> Integers:
+        return np.stack([next(rows) for _ in regime])
+
+    reduced, counts = class_picture(file, ["regime"], classify, len(NAMES))
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n])
                for n in np.flatnonzero(counts)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 1, None)])

@@ -1,11 +1,15 @@
 """Comparison of the maps of the three beam springs (section 4.2, Fig. 22; section 5)."""
 
+from collections.abc import Mapping, Sequence
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
-from ..maps.comparison import compare
+
+from ..arrays import Reals
+from ..maps.comparison import Comparison, compare
 from ..maps.map_file import PeterkaFile
-from .folder import Folder
+from .folder import Folder, Plane
 
 from .force_map import RIGS
 from .record import ALL, Claim, claim, near, not_computed
@@ -32,12 +36,12 @@ def claims(folder: Folder) -> list[Claim]:
     return [_same(pairs, found, pictures), _where(pairs, planes, pictures[3:]), _force(pairs, found, planes)]
 
 
-def _compared(first, second):
+def _compared(first: Path, second: Path) -> Comparison:
     with PeterkaFile(first) as a, PeterkaFile(second) as b:
         return compare(a, b)
 
 
-def _same(pairs, found, pictures):
+def _same(pairs: Sequence[tuple[str, str]], found: Sequence[Comparison], pictures: Sequence[str]) -> Claim:
     shares = [one.same_label / one.cells for one in found]
     moves = sum((one.moves for one in found), start=type(found[0].moves)())
     often = ", ".join(f"{a} against {b} ({100 * count / (len(found) * found[0].cells):.2f} %)"
@@ -49,7 +53,7 @@ def _same(pairs, found, pictures):
                  "nearly all of it lies in the tangle between the bands", pictures)
 
 
-def _where(pairs, planes, pictures):
+def _where(pairs: Sequence[tuple[str, str]], planes: Mapping[str, Plane], pictures: Sequence[str]) -> Claim:
     """The share of the differing cells that lie between the two bands."""
     places = []
     for a, b in pairs:
@@ -65,16 +69,16 @@ def _where(pairs, planes, pictures):
         "frequencies the ranges of p/1 shift with the stop's stiffness relative to the springs'", pictures)
 
 
-def _range(shares):
+def _range(shares: Sequence[float] | Reals) -> str:
     return f"{100 * min(shares):.0f} to {100 * max(shares):.0f} %"
 
 
-def _force(pairs, found, planes):
+def _force(pairs: Sequence[tuple[str, str]], found: Sequence[Comparison], planes: Mapping[str, Plane]) -> Claim:
     """Forces in N, because F/(m g) refers to a particular hammer."""
     texts = []
     for (a, b), one in zip(pairs, found):
         frequencies = planes[b].natural_frequency_hz / planes[a].natural_frequency_hz
-        left = np.quantile(one.differences(one.scale), 0.9) if len(one.force_ratio) else np.nan
+        left = float(np.quantile(one.differences(one.scale), 0.9)) if len(one.force_ratio) else np.nan
         texts.append(f"{b} against {a} {one.scale:.4g} times (natural frequencies {frequencies:.4g} times; 90 % of the cells "
                      f"within {100 * left:.1f} % of the median)")
     furthest = max((one.scale for one in found), key=lambda scale: abs(scale - 1))

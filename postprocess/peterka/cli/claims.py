@@ -33,7 +33,7 @@ def main() -> int:
     return exit_code(_claims())
 
 
-def _claims():
+def _claims() -> int:
     arguments = read_arguments()
     folder = Folder(arguments.folder)
     page = arguments.page or arguments.folder

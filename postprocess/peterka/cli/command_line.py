@@ -61,7 +61,7 @@ class OneLineParser(argparse.ArgumentParser):
         self.add_argument("--formats", "--format", default=DEFAULT_FORMATS, type=read_formats, help=f"some of {', '.join(FORMATS)}; default: {DEFAULT_FORMATS}")
 
 
-def _as_installed(text):
+def _as_installed(text: str | None) -> str | None:
     """In a text, `draw.py` becomes peterka-draw if this is an installed program; so does each program of this folder."""
     if text is None or not Path(sys.argv[0]).name.startswith("peterka-"):
         return text
@@ -97,7 +97,7 @@ def tell(line: object) -> None:
         _drop_stdout()
 
 
-def _drop_stdout():
+def _drop_stdout() -> None:
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 

@@ -27,7 +27,7 @@ def main() -> int:
     return exit_code(_compare())
 
 
-def _compare():
+def _compare() -> int:
     arguments = read_arguments()
     try:
         with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second, using(**style_of(arguments)):

@@ -41,6 +41,7 @@ import gc
 import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
@@ -76,7 +77,7 @@ def main() -> int:
     return exit_code(_draw())
 
 
-def _draw():
+def _draw() -> int:
     arguments = read_arguments()
     warnings.filterwarnings("ignore", message="Glyph .* missing")  # a title may use letters the font lacks
     outcome = DONE
@@ -180,7 +181,8 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
     return outcome
 
 
-def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str], is_part: bool = False) -> dict[str, Callable]:
+def chosen(file: OpenedFile, pictures: dict[str, Callable[..., Any]], names: Sequence[str],
+           is_part: bool = False) -> dict[str, Callable[..., Any]]:
     """The pictures of these names; all of them where none is named. A part of a file, as of --zoom, may give fewer."""
     unknown = [name for name in names if name not in pictures]
     if unknown:

@@ -38,7 +38,7 @@ def main() -> int:
     return exit_code(_explore())
 
 
-def _explore():
+def _explore() -> int:
     arguments = read_arguments()
     output = arguments.output or Path(arguments.file.with_suffix(".html").name)
     try:

@@ -26,7 +26,7 @@ def main() -> int:
     return exit_code(_export())
 
 
-def _export():
+def _export() -> int:
     arguments = read_arguments()
     outcome = DONE
     for path in arguments.files:

@@ -23,6 +23,7 @@ Exit codes: 0 done; 2 a file cannot be read or doesn't tell, or bad arguments; 3
 """
 
 import argparse
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -50,7 +51,7 @@ def main() -> int:
     return exit_code(_identify())
 
 
-def _identify():
+def _identify() -> int:
     arguments = read_arguments()
     try:
         found, drawn = identify(arguments)
@@ -194,7 +195,7 @@ def sensitivity(text: str) -> tuple[str, float]:
     return quantity, found
 
 
-def _named(text):
+def _named(text: str) -> tuple[str, str]:
     name, equals, rest = text.partition("=")
     quantity = quantity_of(parted(name.strip())[0])
     if quantity is None or not equals:
@@ -217,7 +218,7 @@ def not_negative(text: str) -> float:
     return _number(text, lambda number: number >= 0, "0 or a number above")
 
 
-def _number(text, fits, what):
+def _number(text: str, fits: Callable[[float], bool], what: str) -> float:
     try:
         number = float(text)
     except ValueError:

@@ -47,7 +47,7 @@ def main() -> int:
     return exit_code(_operating_point())
 
 
-def _operating_point():
+def _operating_point() -> int:
     arguments = read_arguments()
     try:
         with PeterkaFile(arguments.map) as file, using(**style_of(arguments)):

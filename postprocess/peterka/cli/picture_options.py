@@ -6,14 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import CheckedFile
-from ..files.coordinates import measured
+from ..files.coordinates import Coordinate, measured
 from ..files.opened import OpenedFile
 from ..plotting.coordinates import IN_MILLIMETRES
 from ..plotting.style import PALETTES, UNITS
 from ..maps.curves_file import CurvesFile
-from ..maps.map_file import PeterkaFile
+from ..maps.map_file import Axis, PeterkaFile
 from ..pictures import open_file
+from ..sweeps.sweep_file import SweepFile
 
 WIDTHS = (40, 500)  # mm
 DPIS = (50, 2400)
@@ -61,7 +63,7 @@ def check_style(parser: argparse.ArgumentParser, arguments: argparse.Namespace) 
 
 def number_within(low: float, high: float) -> Callable[[str], float]:
     """Reads an argument that is a number from low to high."""
-    def read(text):
+    def read(text: str) -> float:
         try:
             number = float(text)
         except ValueError:
@@ -74,7 +76,7 @@ def number_within(low: float, high: float) -> Callable[[str], float]:
 
 def numbers_of(*counts: int) -> Callable[[str], tuple[float, ...]]:
     """Reads an argument of this many numbers separated by commas."""
-    def read(text):
+    def read(text: str) -> tuple[float, ...]:
         try:
             found = tuple(float(part) for part in text.split(","))
         except ValueError:
@@ -97,7 +99,8 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
 
     assert isinstance(file.data, CheckedFile)
     data = dataset_of(file.data)
-    ends, shown = {}, {}
+    ends: dict[str, tuple[float, float]] = {}
+    shown: dict[str, slice] = {}
     for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
         unit = measured(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
         factor = unit.factor if unit else 1.0
@@ -118,7 +121,7 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     return part
 
 
-def _other_unit(file, axis, low, high, in_si):
+def _other_unit(file: OpenedFile, axis: Axis | Coordinate, low: float, high: float, in_si: bool) -> str:
     """What says that these numbers fit the other unit of an axis; empty if they don't."""
     unit = measured(file, axis.name)
     if unit is None or axis.name in IN_MILLIMETRES:
@@ -129,16 +132,17 @@ def _other_unit(file, axis, low, high, in_si):
     return "; as ratios these numbers fit: leave --units si out for them" if in_si else f"; it takes {unit.unit} with --units si"
 
 
-def _shown(file, axis, low, high):
+def _shown(file: OpenedFile, axis: Axis | Coordinate, low: float, high: float) -> slice:
     """The slice of an axis' points whose cells (in a sweep: the points themselves) lie between `low` and `high`."""
-    if not isinstance(file, PeterkaFile):
+    if isinstance(axis, Coordinate):
+        assert isinstance(file, SweepFile)
         return _inside(file.values, low, high)
     rounding = ROUNDING * np.diff(axis.edges)
     first = np.count_nonzero(axis.edges[1:] <= low + rounding)
     return slice(first, max(first, np.count_nonzero(axis.edges[:-1] < high - rounding)))
 
 
-def _cut(axis, ends):
+def _cut(axis: Axis, ends: tuple[float, float] | None) -> Axis:
     """The axis with its outer cells cut at these ends."""
     if ends is None:
         return axis
@@ -147,17 +151,17 @@ def _cut(axis, ends):
     return replace(axis, edges=edges)
 
 
-def _inside(values, low, high):
+def _inside(values: Reals, low: float, high: float) -> slice:
     """The slice of ascending numbers from `low` to `high`, endpoints included up to rounding."""
     rounding = ROUNDING * (np.gradient(values) if len(values) > 1 else 0.0)
     first = np.count_nonzero(values < low - rounding)
     return slice(first, max(first, np.count_nonzero(values <= high + rounding)))
 
 
-def _axes(file):
+def _axes(file: OpenedFile) -> tuple[Axis | Coordinate, ...]:
     """The horizontal and the vertical axis, each with its name, and its name and unit in the file."""
-    if file.kind in ("map", "basin", "curves"):
+    if isinstance(file, PeterkaFile):
         return file.columns, file.rows
-    if file.kind == "sweep":
+    if isinstance(file, SweepFile):
         return (file.axis,)
     raise file.refusal(f"is of kind {file.kind}; --zoom shows parts of maps, basins, sweeps and curves")

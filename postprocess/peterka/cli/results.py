@@ -22,7 +22,7 @@ def main() -> int:
     return exit_code(_results())
 
 
-def _results():
+def _results() -> int:
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_argument("--page", metavar="PAGE.md", type=Path, required=True)

@@ -32,7 +32,7 @@ def main() -> int:
     return exit_code(_scaling())
 
 
-def _scaling():
+def _scaling() -> int:
     arguments = read_arguments()
     machine = Machine(1e-6 * arguments.service, 1e-6 * arguments.latency, 1e-6 * arguments.look)
     try:
@@ -80,7 +80,7 @@ def read_cells(text: str) -> list[int]:
 
 def whole_number(least: float, most: float) -> Callable[[str], int]:
     """Reads an argument that is a whole number from least to most."""
-    def read(text):
+    def read(text: str) -> int:
         number = number_in(text)
         if not least <= number <= most or number != int(number):
             raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from {least} to {most:.0e}")

@@ -9,6 +9,7 @@ import numpy as np
 from h5py.h5ds import is_scale
 from numpy.typing import NDArray
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL, CheckedFile
 from ..files.coordinates import NAMES, unit_of
 from ..errors import PeterkaFileError
@@ -40,9 +41,9 @@ class Side:
     """An axis: its name and values (n,), in units if the file gives them, and the file's ratios."""
 
     name: str
-    values: np.ndarray
+    values: Reals
     ratio_name: str
-    ratios: np.ndarray
+    ratios: Reals
 
 
 def fields_of(file: PeterkaFile | SweepFile) -> list[Field]:
@@ -88,7 +89,7 @@ def sides_of(file: PeterkaFile | SweepFile) -> tuple[Side, Side]:
     return rows, columns
 
 
-def _side(file, own_name, stored, ratios):
+def _side(file: PeterkaFile | SweepFile, own_name: str, stored: str, ratios: Reals) -> Side:
     units = {"frequency_ratio": ("frequency_hz", 1.0), "gap_ratio": ("gap_mm", 1e3), "displacement_ratio": ("displacement_mm", 1e3),
              "velocity_ratio": ("velocity_m_s", 1.0)}
     name, values = own_name, ratios

@@ -4,14 +4,17 @@ import argparse
 import csv
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
+from ..arrays import Reals
 from ..files.opened import OpenedFile
 from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
 from ..sweeps.sweep_file import SweepFile
-from .cells import bands, fields_of, left_out, regime_word, sides_of
+from .cells import Field, Side, bands, fields_of, left_out, regime_word, sides_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 MOST_NAMED = 12
@@ -124,20 +127,20 @@ def left_out_in_words(file: OpenedFile) -> list[str]:
             "peterka.open read them from the file"] if names else []
 
 
-def _once(side):
+def _once(side: Side) -> list[Reals]:
     """Values and ratios; ratios alone if the file does not give the units."""
     return [side.values] if side.name == side.ratio_name else [side.values, side.ratios]
 
 
-def _texts(field, values):
+def _texts(field: Field, values: NDArray[Any]) -> list[str]:
     if field.dataset == "regime":
         return [regime_word(number) for number in values.tolist()]
     return [str(value) for value in values.tolist()] if field.whole else [_number(value) for value in values.tolist()]
 
 
-def _number(value):
+def _number(value: float) -> str:
     return "" if np.isnan(value) else repr(float(value))
 
 
-def _big_endian(values, kind):
+def _big_endian(values: NDArray[Any], kind: DTypeLike) -> bytes:
     return np.ascontiguousarray(values, dtype=np.dtype(kind).newbyteorder(">")).tobytes()

@@ -61,7 +61,7 @@ class CheckedFile:
     may_be_part = False  # whether it may be a part of a file
     _raw: BinaryIO | None = None
 
-    def __init__(self, path: str | os.PathLike) -> None:
+    def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path)
         self._file = self._open()
         try:
@@ -182,7 +182,7 @@ class CheckedFile:
         text = value.decode("utf-8", "replace") if isinstance(value, bytes) else ""
         return [harmless(line, None) for line in text[:MAX_TEXT].splitlines() if line.strip()]
 
-    def _own(self, name):
+    def _own(self, name: str) -> h5py.Dataset:
         if self._storages.get(f"/{name}") is not None:
             return self._file[name]
         raise self.refusal(f"has no dataset {name}")
@@ -241,5 +241,5 @@ def shown(value: object) -> str:
     return re.sub(r"\s+", " ", repr(plain))[:60]
 
 
-def _first_line(error):
+def _first_line(error: BaseException) -> str:
     return (str(error).splitlines() or [type(error).__name__])[0][:120]

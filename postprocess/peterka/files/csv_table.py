@@ -6,7 +6,7 @@ decimal commas. Empty lines and lines that begin with # are skipped. Unreadable 
 
 import csv
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -81,7 +81,7 @@ def column_names(path: Path) -> list[str]:
     return [name.strip() for name in first.split(separator)]
 
 
-def _text(path, what, largest_bytes):
+def _text(path: Path, what: str, largest_bytes: int) -> str:
     try:
         with open(path, "rb") as file:
             content = file.read(largest_bytes + 1)
@@ -94,7 +94,7 @@ def _text(path, what, largest_bytes):
         raise PeterkaFileError(f"{path} is not a text in UTF-8; save it as CSV") from error
 
 
-def _check_names(path, names, known):
+def _check_names(path: Path, names: Sequence[str], known: Collection[str]) -> None:
     for name in names:
         if name not in known:
             raise PeterkaFileError(f"{path} has the unknown column '{harmless(name, 40)}'{did_you_mean(name, known)}; it may have {', '.join(known)}")

@@ -4,9 +4,12 @@ Names are those of the file, prefixed by the group's name: "attractors/cells". C
 -128 for a cell not computed. Values are read lazily.
 """
 
+from typing import Any
+
 import h5py
 import numpy as np
 import xarray
+from numpy.typing import NDArray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
@@ -19,13 +22,13 @@ OF_THE_FILE = ("tiles/", "summary/")  # checksums and what is finished: verified
 class _Stored(BackendArray):
     """The numbers of one dataset of an open file."""
 
-    def __init__(self, data, name, dataset):
+    def __init__(self, data: CheckedFile, name: str, dataset: h5py.Dataset) -> None:
         self.data, self.name, self.shape, self.dtype = data, name, dataset.shape, dataset.dtype
 
-    def __getitem__(self, key):
+    def __getitem__(self, key: indexing.ExplicitIndexer) -> Any:
         return indexing.explicit_indexing_adapter(key, self.shape, indexing.IndexingSupport.BASIC, self._read)
 
-    def _read(self, key):
+    def _read(self, key: tuple[Any, ...]) -> NDArray[Any]:
         return np.asarray(self.data.values(self.name, key))
 
 
@@ -47,7 +50,7 @@ def dataset_of(data: CheckedFile) -> xarray.Dataset:
     return result
 
 
-def _dimensions(name, dataset):
+def _dimensions(name: str, dataset: h5py.Dataset) -> tuple[str, ...]:
     """Names of the dimension scales along each side, within the dataset's group."""
     group = name.rpartition("/")[0]
     if h5py.h5ds.is_scale(dataset.id):

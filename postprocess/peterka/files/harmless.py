@@ -15,11 +15,11 @@ def harmless(text: object, longest: int | None = LONGEST, page: bool = False) ->
     return "".join(_as_entity(text, place) for place in range(len(text))) if page else text
 
 
-def _shown(letter):
+def _shown(letter: str) -> str:
     return letter if letter.isprintable() else letter.encode("unicode_escape").decode()
 
 
-def _as_entity(text, place):
+def _as_entity(text: str, place: int) -> str:
     """Whether a character has a meaning at this place: at the beginning of a line, or a point within a host name."""
     letter, before, after = text[place], text[:place], text[place + 1:place + 2]
     begins = before.strip("0123456789 ") == ""

@@ -1,6 +1,8 @@
 """Names of the coordinates of a job: of its axes, columns first, then rows; and those that it gives in SI units."""
 
 import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from .coordinates import RATIOS, leads_in_si
 
@@ -28,14 +30,14 @@ def given_in_si(text: object) -> frozenset[str]:
     return frozenset(RATIOS[name] for name in names if leads_in_si(name))
 
 
-def _job(text):
+def _job(text: object) -> dict[str, Any]:
     try:
         return tomllib.loads(text) if isinstance(text, str) else {}
     except (tomllib.TOMLDecodeError, RecursionError):
         return {}
 
 
-def _tables(tables, before):
+def _tables(tables: Mapping[str, Any], before: str) -> Iterator[tuple[str, Mapping[str, Any]]]:
     for key, table in tables.items():
         if not isinstance(table, dict):
             continue

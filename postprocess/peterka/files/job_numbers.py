@@ -30,11 +30,12 @@ class Swing:
         return self.room() > 0
 
 
-def edge_of_no_impact(frequency_ratio: Reals, damping_ratio: Reals | float) -> Reals:
+def edge_of_no_impact(frequency_ratio: Reals | float, damping_ratio: Reals | float) -> Reals:
     """Amplitude of the steady motion without a stop relative to the cart, over A0."""
     square = np.square(frequency_ratio)
     with np.errstate(divide="ignore"):
-        return square / np.sqrt((1 - square) ** 2 + (2 * damping_ratio) ** 2 * square)
+        values: Reals = square / np.sqrt((1 - square) ** 2 + (2 * damping_ratio) ** 2 * square)
+        return values
 
 
 class UnreadableJob(ValueError):
@@ -61,12 +62,13 @@ def swing_of(tables: Mapping[str, Any], coordinates: Mapping[str, Reals]) -> Swi
     """The Swing at these values of the axes, {name in the file: array}. Raises UnreadableJob if the job lacks a number."""
     along = {_path(name): np.asarray(values, dtype=float) for name, values in coordinates.items()}
 
-    def first(*paths):
+    def first(*paths: str) -> tuple[str, Reals]:
         """(index of the path that is given, its number): axes take precedence over tables."""
-        for source in (along, {path: number_of(tables, path) for path in paths}):
+        sources: tuple[Mapping[str, Reals | float | None], ...] = along, {path: number_of(tables, path) for path in paths}
+        for source in sources:
             for path in paths:
-                if source.get(path) is not None:
-                    return path.split(".")[1], np.asarray(source[path])
+                if (value := source.get(path)) is not None:
+                    return path.split(".")[1], np.asarray(value)
         raise UnreadableJob(f"holds a job that doesn't tell {' or '.join(paths)}")
 
     mass = first("hammer.mass_kg")[1]
@@ -81,7 +83,7 @@ def swing_of(tables: Mapping[str, Any], coordinates: Mapping[str, Reals]) -> Swi
     return Swing(frequency, damping, gap)
 
 
-def _path(name):
+def _path(name: str) -> str:
     if name in PLACE:
         return f"operating_point.{name}"
     table = next((table for table in ("hammer", "cart", "contact", "start") if name.startswith(f"{table}_")), None)

@@ -8,7 +8,7 @@ commas separate, numbers may have decimal commas. Empty cells, NaN and "-" or "-
 import csv
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
@@ -81,8 +81,9 @@ class NumberTable:
             except OSError as error:
                 raise PeterkaFileError(f"{self.path} cannot be read: {error.strerror or error}") from error
 
-    def _first_lines(self):
-        lines, size = [], 0
+    def _first_lines(self) -> list[bytes]:
+        lines: list[bytes] = []
+        size = 0
         while len(lines) < LONGEST_HEAD + ALIKE:
             line = self._file.readline(LONGEST_LINE + 1)
             if not line:
@@ -97,7 +98,7 @@ class NumberTable:
             raise self.refusal("is not a text; save it as CSV")
         return [*lines, b""] if len(lines) == LONGEST_HEAD + ALIKE else lines
 
-    def _found(self, is_name, is_unit):
+    def _found(self, is_name: Callable[[str], bool], is_unit: Callable[[str], bool]) -> Heading:
         texts = [decoded(line) for line in self._head]
         numeric = next((at for at in range(len(texts)) if _begins(texts, at)), None)
         for at, text in enumerate(texts[:numeric]):
@@ -117,7 +118,7 @@ class NumberTable:
         width = len(_split(texts[numeric], separator))
         return self._heading(names if len(names) == width else [], units, numeric, separator, texts)
 
-    def _heading(self, names, units, first, separator, texts):
+    def _heading(self, names: Sequence[str], units: Sequence[str], first: int, separator: str, texts: Sequence[str]) -> Heading:
         rows = [text for text in texts[first:] if _is_row(text)]
         if not rows:
             raise self.refusal(f"has no {self.what}; it needs a line with the names of its columns and one for each of them")
@@ -126,7 +127,7 @@ class NumberTable:
         width = len(names) or len(_split(rows[0], separator))
         return Heading(tuple(names), tuple(units), width, first + 1, separator)
 
-    def _numbers(self, block, line, names):
+    def _numbers(self, block: bytes, line: int, names: Sequence[str]) -> Reals:
         heading, separator = self.heading, self.heading.separator
         try:
             text = block.decode("ascii")
@@ -144,7 +145,7 @@ class NumberTable:
             pass
         return self._one_by_one(block, line, names)
 
-    def _one_by_one(self, block, line, names):
+    def _one_by_one(self, block: bytes, line: int, names: Sequence[str]) -> Reals:
         rows = []
         for number, text in enumerate(decoded(block).split("\n"), line):
             if not _is_row(text):
@@ -157,7 +158,7 @@ class NumberTable:
             rows.append([self._number(cell, name, number) for cell, name in zip(cells, names)])
         return np.array(rows, dtype=float).reshape(-1, self.heading.width)
 
-    def _number(self, cell, name, line):
+    def _number(self, cell: str, name: str, line: int) -> float:
         if cell.lower() in MISSING:
             return math.nan
         try:
@@ -189,45 +190,45 @@ def decoded(line: bytes) -> str:
         return line.decode("latin-1")
 
 
-def _is_row(text):
+def _is_row(text: str) -> bool:
     return bool(text.strip()) and not text.startswith("#")
 
 
-def _float(cell, decimal_commas):
+def _float(cell: str, decimal_commas: bool) -> float:
     if "_" in cell:
         raise ValueError  # Python's own way of writing numbers
     return float(cell.replace(",", ".") if decimal_commas else cell)
 
 
-def _split(text, separator):
+def _split(text: str, separator: str) -> list[str]:
     if separator == " ":
         return text.split()
     try:
-        cells = next(csv.reader([text], delimiter=separator, skipinitialspace=True), [])
+        cells: list[str] = next(csv.reader([text], delimiter=separator, skipinitialspace=True), [])
     except csv.Error:
         return []
     return [cell.strip() for cell in cells]
 
 
-def _cells(text):
+def _cells(text: str) -> tuple[list[str], str]:
     """(cells, separator) of a line of names."""
     separator = next((mark for mark in SEPARATORS if mark in text), ",")
     return _split(text, separator), separator
 
 
-def _separator(text):
+def _separator(text: str) -> str:
     """The separator by which a line falls into numbers; a comma if none does."""
     return next((mark for mark in (*SEPARATORS, " ") if mark in text.strip() and _are_numbers(_split(text, mark), mark)), ",")
 
 
-def _are_numbers(cells, separator):
+def _are_numbers(cells: Sequence[str], separator: str) -> bool:
     try:
-        return np.isfinite([_float(cell, separator != ",") for cell in cells if cell.lower() not in MISSING]).sum() > 0
+        return bool(np.isfinite([_float(cell, separator != ",") for cell in cells if cell.lower() not in MISSING]).sum() > 0)
     except ValueError:
         return False
 
 
-def _begins(texts, at):
+def _begins(texts: Sequence[str], at: int) -> bool:
     """Whether a table of numbers begins with this line."""
     if not _is_row(texts[at]):
         return False
@@ -236,11 +237,11 @@ def _begins(texts, at):
     return all(len(row) == len(rows[0]) and _are_numbers(row, separator) for row in rows)
 
 
-def _all(cells, fits):
+def _all(cells: Sequence[str], fits: Callable[[str], bool]) -> bool:
     return any(cells) and all(fits(cell) for cell in cells if cell)
 
 
-def _columns(heading):
+def _columns(heading: Heading) -> str:
     if heading.names:
         return f"its first line names {len(heading.names)} columns"
     return f"the first line of numbers has {heading.width}"

@@ -6,9 +6,10 @@ Thus a file cannot request more memory than its own length, nor make this progra
 
 import os
 import resource
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 import h5py
 import numpy as np
@@ -76,7 +77,7 @@ def storages(file: h5py.File, file_size: int) -> dict[str, Storage | None]:
     return found
 
 
-def _walk(group, path, found, addresses, file_size):
+def _walk(group: h5py.Group, path: str, found: dict[str, Storage | None], addresses: set[int], file_size: int) -> None:
     _check_attributes(group, path or "/", file_size)
     for name in sorted(_texts(group, path), key=lambda text: text.encode("utf-8", "surrogateescape")):
         child = f"{path}/{name}"
@@ -96,7 +97,7 @@ def _walk(group, path, found, addresses, file_size):
             raise NotOwn(f"has {child[1:]}, which is neither a group nor a dataset")
 
 
-def _texts(names, path):
+def _texts(names: Iterable[Any], path: str) -> list[str]:
     """The names as a list; h5py returns bytes for invalid UTF-8."""
     found = list(names)
     if not all(isinstance(name, str) for name in found):
@@ -104,11 +105,11 @@ def _texts(names, path):
     return found
 
 
-def _address(item):
-    return h5py.h5o.get_info(item.id).addr
+def _address(item: h5py.Group | h5py.Dataset) -> int:
+    return int(h5py.h5o.get_info(item.id).addr)
 
 
-def _check_attributes(item, path, file_size):
+def _check_attributes(item: h5py.Group | h5py.Dataset, path: str, file_size: int) -> None:
     for name in _texts(item.attrs, path):
         attribute = h5py.h5a.open(item.id, name.encode())
         count = int(np.prod(attribute.shape, dtype=float))
@@ -116,7 +117,7 @@ def _check_attributes(item, path, file_size):
             raise NotOwn(f"has attributes of {path} that are larger than itself")
 
 
-def _storage(dataset, name, file_size):
+def _storage(dataset: h5py.Dataset, name: str, file_size: int) -> Storage:
     creation = dataset.id.get_create_plist()
     if dataset.is_virtual or dataset.external:
         raise NotOwn(f"keeps {name} in another file")
@@ -133,7 +134,7 @@ def _storage(dataset, name, file_size):
     return _chunked(dataset, name, size, value_bytes)
 
 
-def _chunked(dataset, name, size, value_bytes):
+def _chunked(dataset: h5py.Dataset, name: str, size: int, value_bytes: int) -> Storage:
     shape, chunk = ((*sides, 1)[:3] if len(sides) > 1 else (1, sides[0], 1) for sides in (dataset.shape, dataset.chunks))
     stacked = name in STACKED and len(dataset.shape) == 3
     if stacked:

@@ -60,7 +60,7 @@ def first_line(raw: BinaryIO, lines: bytes, ranges: list[tuple[int, int]]) -> by
     return TITLE + f"{total.intdigest():016x}\n".encode()
 
 
-def _ranges_in(lines, size):
+def _ranges_in(lines: bytes, size: int) -> list[tuple[int, int]] | None:
     """The ranges, ascending, disjoint, the record itself in the last one; None if they are not."""
     text = lines.rstrip(b"\0")
     if not _RANGES.fullmatch(text):
@@ -70,7 +70,7 @@ def _ranges_in(lines, size):
     return list(zip(numbers[::2], numbers[1::2])) if in_order and numbers[-2] <= size - RECORD_SIZE < numbers[-1] == size else None
 
 
-def _read(raw, offset, size):
+def _read(raw: BinaryIO, offset: int, size: int) -> bytes:
     raw.seek(offset)
     data = raw.read(size)
     if not data and size:
@@ -78,7 +78,7 @@ def _read(raw, offset, size):
     return data
 
 
-def _fault_in_trial(path):
+def _fault_in_trial(path: Path) -> str | None:
     paths = os.pathsep.join(filter(None, [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH")]))
     try:
         trial = subprocess.run([sys.executable, "-m", f"{__package__}.trial", str(path.resolve())], timeout=MOST_SECONDS,

@@ -4,7 +4,9 @@ The seal, /summary/checksum, is the XXH3 (64 bits) of the byte sequence describe
 file has none; then /summary/frame covers its attributes and coordinates.
 """
 
-from collections.abc import Mapping
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, BinaryIO
 
 import h5py
@@ -66,7 +68,7 @@ def tile_checksums(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storag
     return np.array([xxhash.xxh3_64_intdigest(tile) for tile in _tiles(raw, fields)], np.uint64)
 
 
-def _verify_tiles(file, raw, storages):
+def _verify_tiles(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None]) -> None:
     checksums = tile_checksums(file, raw, storages)
     if not len(checksums):
         return
@@ -82,18 +84,18 @@ def _verify_tiles(file, raw, storages):
         raise Broken(f"is damaged: {wrong} of its tiles are not what was written (wrong checksum); compute it again")
 
 
-def _is_in_tiles(path, storages):
+def _is_in_tiles(path: str, storages: Mapping[str, Storage | None]) -> bool:
     storage = storages.get(path)
     return storage is not None and storage.chunk is not None and path.count("/") == 1 and path != ATTRACTOR
 
 
-def _names_as_made(file):
+def _names_as_made(file: h5py.File) -> list[str]:
     names, root = [], file["/"]
     root.id.links.iterate(lambda name: names.append(name.decode()), idx_type=h5py.h5.INDEX_CRT_ORDER)
     return names
 
 
-def _tiles(raw, fields):
+def _tiles(raw: BinaryIO, fields: Sequence[Storage]) -> Iterator[bytes]:
     """The bytes of each tile, field after field, row by row."""
     down, across = fields[0].grid
     for row in range(down):
@@ -102,21 +104,24 @@ def _tiles(raw, fields):
             yield b"".join(_cropped(field, span, row, column) for field, span in zip(fields, spans))
 
 
-def _row_of_chunks(raw, field, row):
+def _row_of_chunks(raw: BinaryIO, field: Storage, row: int) -> NDArray[np.uint8]:
+    assert field.chunk is not None
     size = field.size // field.grid[0]
     data = _read(raw, field.begin + row * size, size)
     return np.frombuffer(data, np.uint8).reshape(field.grid[1], field.chunk[0], -1)
 
 
-def _cropped(field, span, row, column):
+def _cropped(field: Storage, span: NDArray[np.uint8], row: int, column: int) -> bytes:
+    assert field.shape is not None and field.chunk is not None
     rows, columns = (min(step, side - at * step) for side, step, at in zip(field.shape, field.chunk, (row, column)))
     if field.stacked:
         planes = span[column].reshape(field.chunk[2], field.chunk[0], -1)
-        return planes[:, :rows, : columns * field.value_bytes].tobytes()
+        data: bytes = planes[:, :rows, : columns * field.value_bytes].tobytes()
+        return data
     return span[column, :rows, : columns * field.chunk[2] * field.value_bytes].tobytes()
 
 
-def _read(raw, offset, size):
+def _read(raw: BinaryIO, offset: int, size: int) -> bytes:
     raw.seek(offset)
     data = raw.read(size)
     if len(data) != size:
@@ -124,20 +129,20 @@ def _read(raw, offset, size):
     return data
 
 
-def _number(value):
+def _number(value: int) -> bytes:
     return int(value).to_bytes(8, "little")
 
 
-def _text(value):
+def _text(value: bytes | str) -> bytes:
     data = value if isinstance(value, bytes) else value.encode("utf-8", "surrogateescape")
     return _number(len(data)) + data
 
 
-def _shape(sides):
+def _shape(sides: Sequence[int]) -> bytes:
     return _number(len(sides)) + b"".join(map(_number, sides))
 
 
-def _kind(type_id):
+def _kind(type_id: h5py.h5t.TypeID) -> str:
     """The type's name as in the seal; raises Broken for types that no file of peterka contains."""
     size = type_id.get_size()
     if isinstance(type_id, h5py.h5t.TypeStringID):
@@ -151,7 +156,7 @@ def _kind(type_id):
     raise Broken("has a type that no file of peterka has")
 
 
-def _add_object(total, item, path, storage):
+def _add_object(total: xxhash.xxh3_64, item: h5py.Group | h5py.Dataset, path: str, storage: Storage | None) -> None:
     total.update(_text("group" if storage is None else "dataset") + _text(path))
     names = sorted(name.encode() for name in item.attrs if name not in TOLD_BY_SCALES)
     total.update(_number(len(names)))
@@ -167,7 +172,7 @@ def _add_object(total, item, path, storage):
         total.update(_number(len(scales)) + b"".join(_text(scale.name) for scale in scales))
 
 
-def _add_attribute(total, attribute, name):
+def _add_attribute(total: xxhash.xxh3_64, attribute: h5py.h5a.AttrID, name: bytes) -> None:
     kind = _kind(attribute.get_type())
     total.update(_text(name) + _text(kind) + _shape(attribute.shape))
     if kind != "text":
@@ -183,7 +188,7 @@ def _add_attribute(total, attribute, name):
     total.update(_text(text if isinstance(text, (bytes, str)) else b""))
 
 
-def _add_data(total, path, raw, storage):
+def _add_data(total: xxhash.xxh3_64, path: str, raw: BinaryIO, storage: Storage) -> None:
     if storage.chunk is not None:
         if path == ATTRACTOR:
             for tile in _tiles(raw, [storage]):

@@ -17,7 +17,7 @@ from .raw_bytes import LOST_RECORD
 MOST_SECONDS = 5  # of CPU time; all headers and texts take milliseconds
 
 
-def _try_to_read(path):
+def _try_to_read(path: str) -> int:
     size = os.path.getsize(path)
     with h5py.File(path, "r") as file, open(path, "rb") as raw, own_objects.bounded_memory(size):
         storages = own_objects.storages(file, size)

@@ -99,7 +99,7 @@ def columns_of(names: Sequence[str], units: Sequence[str], width: int, layout: L
     return found
 
 
-def _column(cell, unit_above, layout, asked):
+def _column(cell: str, unit_above: str | None, layout: Layout, asked: bool) -> Column:
     name, unit = parted(cell)
     quantity = quantity_of(name)
     if quantity is None:
@@ -132,5 +132,5 @@ def sensitivity_of(quantity: str, text: str) -> float:
     return float(found["number"]) * VOLTS[found["volts"]] / factor
 
 
-def _plain(unit):
+def _plain(unit: str) -> str:
     return unit.replace("μ", "µ")  # of two signs for micro

@@ -17,9 +17,8 @@ def angle_over_sine(ratio: float) -> float:
     """acos(z)/sqrt(1 - z^2), continued analytically to z >= 1."""
     if abs(ratio - 1) < 1e-6:
         return 1 - (ratio - 1) / 3
-    if ratio < 1:
-        return np.arccos(ratio) / np.sqrt(1 - ratio**2)
-    return np.arccosh(ratio) / np.sqrt(ratio**2 - 1)
+    found: float = np.arccos(ratio) / np.sqrt(1 - ratio**2) if ratio < 1 else np.arccosh(ratio) / np.sqrt(ratio**2 - 1)
+    return found
 
 
 def pulse(mass_kg: float, stiffness: float, damping: float) -> tuple[float, float]:

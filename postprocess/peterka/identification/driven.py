@@ -4,18 +4,18 @@ Each impact has its own time, speed and push (the force of springs and cart, var
 common to all. The motion between impacts then does not matter and need not be given.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ..errors import PeterkaFileError
-from .first_guess import look
+from .first_guess import Guess, look
 from .fit import Fit, finished, telling
-from .problem import SLOW
+from .problem import SLOW, Problem
 from .recording import Recording
 from .solve import solved, start
-from .starts import SEEN, alone_problem, begin, impact_legs
+from .starts import SEEN, Begin, Impact, alone_problem, begin, impact_legs
 
 WEAKEST = 0.1  # of the hardest impact: weaker impacts carry little information
 MOST = 20  # impacts that are fitted, evenly selected
@@ -59,7 +59,8 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
     return telling(finished(recording, guess, solved(problem, first), chosen, unused))
 
 
-def _problem(recording, guess, begun, chosen, mass, given):
+def _problem(recording: Recording, guess: Guess, begun: Begin, chosen: Sequence[Impact], mass: float,
+             given: Mapping[str, float]) -> Problem:
     """The Problem of the impacts with a prior for their pushes: reversing a hammer within a time T at (1 + e) times its
     speed takes (1 + e) v/T on average; during an impact the push is of about that size and changes as fast as a wave of half
     that period. All impacts share one push and have one of their own."""

@@ -97,11 +97,11 @@ def noise_of(values: Reals) -> float:
     return float(1.4826 * np.median(np.abs(steps - np.median(steps))) / np.sqrt(2)) if len(steps) else 0.0
 
 
-def _some(values):
+def _some(values: Reals) -> Reals:
     return np.asarray(values[::max(1, len(values) // LOOKED_AT)], dtype=float)
 
 
-def _pieces(values):
+def _pieces(values: Reals) -> Reals:
     """Samples of neighbouring values, from the whole recording."""
     if len(values) <= LOOKED_AT:
         return np.asarray(values, dtype=float)
@@ -109,18 +109,18 @@ def _pieces(values):
     return np.concatenate([np.append(values[begin:begin + 1000], np.nan) for begin in begins])
 
 
-def _extremes(values):
+def _extremes(values: Reals) -> tuple[float, float]:
     found = [(np.nanmin(part), np.nanmax(part)) for first in range(0, len(values), AT_ONCE)
              if np.isfinite(part := np.asarray(values[first:first + AT_ONCE], dtype=float)).any()]
     return float(min(low for low, _ in found)), float(max(high for _, high in found))
 
 
-def _range(values):
+def _range(values: Reals) -> float:
     lowest, highest = _extremes(values)
     return max(highest - lowest, 1e-300)
 
 
-def _pulses(values, sign, offset, noise, highest):
+def _pulses(values: Reals, sign: int, offset: float, noise: float, highest: float) -> list[Pulse]:
     """All Pulses of a signal for impacts of this sign: once the hardest one's
     width is known, weaker ones are detected after smoothing over a third of it."""
     swing = float(np.nanquantile(np.abs(_some(values) - offset), 0.9))  # amplitude between impacts
@@ -136,7 +136,7 @@ def _pulses(values, sign, offset, noise, highest):
     return _above(values, sign, offset, smoothed, noise, width) if smoothed < limit else found
 
 
-def _above(values, sign, offset, limit, noise, width):
+def _above(values: Reals, sign: int, offset: float, limit: float, noise: float, width: int) -> list[Pulse]:
     """The Pulses found in means over this many samples."""
     count, found, begin = len(values), [], 0
     for start in range(0, count, AT_ONCE):
@@ -153,7 +153,7 @@ def _above(values, sign, offset, limit, noise, width):
     return found
 
 
-def _pulse_around(values, start, begin, floor):
+def _pulse_around(values: Reals, start: int, begin: int, floor: float) -> Pulse:
     """Extent of the pulse from `begin` on; samples below the floor belong to no pulse."""
     last = start + 1
     top = start
@@ -166,7 +166,7 @@ def _pulse_around(values, start, begin, floor):
     return Pulse(first, last, top, float(values[top]))
 
 
-def _refuse_clipped(recording, name, values, pulse):
+def _refuse_clipped(recording: Recording, name: str, values: Reals, pulse: Pulse) -> None:
     height = values[pulse.top]
     piece = np.asarray(values[pulse.first:pulse.last], dtype=float)
     flat = np.abs(piece - height) <= 1e-9 * np.nanmax(np.abs(piece - height), initial=1e-300)
@@ -177,12 +177,12 @@ def _refuse_clipped(recording, name, values, pulse):
                           f"hardest impact, at {recording.begin + pulse.top * recording.step:.6g} s; record with a larger range")
 
 
-def _sign_at(values, offset, pulse, turn):
+def _sign_at(values: Reals, offset: float, pulse: Pulse, turn: int) -> int:
     piece = np.asarray(values[max(0, pulse.first - 1):pulse.last + 1]) - offset
     return int(np.sign(piece[np.nanargmax(np.abs(piece))])) * turn or 1
 
 
-def _sign_of_displacement(values, pulse):
+def _sign_of_displacement(values: Reals, pulse: Pulse) -> int:
     """+1 if the hammer approaches from below: it rises before the impact and falls after it."""
     around = 20 * (pulse.last - pulse.first)
     middle = np.nanmean(values[pulse.first:pulse.last])
@@ -190,7 +190,7 @@ def _sign_of_displacement(values, pulse):
     return 1 if middle >= np.mean([np.nanmean(piece) for piece in (before, after) if np.isfinite(piece).any()]) else -1
 
 
-def _bends(recording):
+def _bends(recording: Recording) -> tuple[int, list[Pulse]]:
     """(sign, Pulses) of a displacement alone: an impact is an abrupt change
     of its velocity, seen over the number of samples that shows it best."""
     if "displacement" not in recording.signals:
@@ -199,7 +199,7 @@ def _bends(recording):
     there = np.isfinite(values)
     values = np.interp(np.arange(len(values)), np.flatnonzero(there), values[there])
     bends = [_bend(values, max(2, len(values) // share)) for share in BEND_WIDTHS]
-    width, bend, limit = max(bends, key=lambda found: np.abs(found[1]).max() / found[2])
+    width, bend, limit = max(bends, key=lambda found: float(np.abs(found[1]).max() / found[2]))
     at = int(np.argmax(np.abs(bend)))
     if not abs(bend[at]) > limit:
         raise PeterkaFileError(f"{recording.path} shows no impact: its displacement never turns back at once")
@@ -211,7 +211,7 @@ def _bends(recording):
                   for top in tops]
 
 
-def _bend(values, width):
+def _bend(values: Reals, width: int) -> tuple[int, Reals, float]:
     """(width, second differences of means over `width` samples, relative to the detection threshold)."""
     sums = np.concatenate([[0], np.cumsum(values - values.mean())])
     means = (sums[width:] - sums[:-width]) / width

@@ -93,7 +93,8 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     return told
 
 
-def _from_each(recording, guess, begun, samples, mass, given, starts):
+def _from_each(recording: Recording, guess: Guess, begun: Begin, samples: Samples, mass: float, given: Mapping[str, float],
+               starts: Sequence[Start]) -> list[Solved]:
     """[Solved] from each Start from which it converges."""
     tried = []
     for one in starts:
@@ -108,12 +109,12 @@ def _from_each(recording, guess, begun, samples, mass, given, starts):
     tried.sort(key=lambda pair: pair[0].cost / pair[0].rows)
     found = [one for one, _ in tried]
     if found and found[0].cost > EXPLAINED * found[0].rows:
-        for one, value in tried[:MOST_AGAIN]:
-            found += _one_after_the_other(one.problem, value)
+        for reached, value in tried[:MOST_AGAIN]:
+            found += _one_after_the_other(reached.problem, value)
     return found
 
 
-def _one_after_the_other(problem, value):
+def _one_after_the_other(problem: Problem, value: dict[str, float]) -> list[Solved]:
     """[Solved] without the last impacts at first, then with one more at a time: late ones move the most, and may be missed."""
     leg, found = problem.legs[0], []
     for first in range(leg.impacts - 1, max(leg.impacts - 1 - MOST_LATE, 1), -1):
@@ -149,7 +150,7 @@ def release_problem(recording: Recording, guess: Guess, begun: Begin, samples: S
                    noise_levels(guess), recording.step, prior={name: WIDE[name] for name in free if name in WIDE})
 
 
-def _begun(problem, begun, one, given):
+def _begun(problem: Problem, begun: Begin, one: Start, given: Mapping[str, float]) -> dict[str, float]:
     """Initial parameters."""
     told = {"touch 0" if name == "touch" else "speed 0" if name == "speed" else name: value for name, value in one.value.items()}
     value = start(problem, **{"stop_ratio": begun.stop_ratio, "damping_ratio": FIRST_DAMPING_RATIO, **told})

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import least_squares
 
+from ..arrays import Reals
 from .contact_pulse import identified
 from .starts import Begin
 
@@ -74,12 +75,13 @@ def likely(found: Sequence[Start]) -> list[Start]:
     return [one for one in found if one.cost <= max(TIMES * found[0].cost, found[0].cost - np.log(UNLIKELY))]
 
 
-def _nearest(off, speed, omega, ratio, given):
+def _nearest(off: "_Off", speed: float, omega: float, ratio: float, given: Mapping[str, float]) -> Start:
     """The Start found by least squares from these springs and the stop's restitution."""
-    def left(chosen):
-        return np.nan_to_num(off(*springs(chosen), chosen[2])[0], nan=LOST).clip(-LOST**2, LOST**2)
+    def left(chosen: Reals) -> Reals:
+        values: Reals = np.nan_to_num(off(*springs(chosen), chosen[2])[0], nan=LOST).clip(-LOST**2, LOST**2)
+        return values
 
-    def springs(chosen):
+    def springs(chosen: Reals) -> tuple[float, float]:
         return (omega if "omega" in given else omega * np.exp(APART * chosen[0]),
                 ratio if "damping_ratio" in given else abs(ratio + APART * chosen[1]))
 
@@ -125,7 +127,7 @@ class _Off:
         return np.array(rows), gap
 
 
-def _flight(omega, ratio, since):
+def _flight(omega: Reals | float, ratio: Reals | float, since: float) -> tuple[Any, Any, Any, Any]:
     """A, B and their derivatives."""
     decay, swinging = np.exp(-ratio * omega * since), omega * np.sqrt(1 - ratio**2)
     cosine, sine = decay * np.cos(swinging * since), decay * np.sin(swinging * since) / swinging

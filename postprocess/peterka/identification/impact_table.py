@@ -4,11 +4,13 @@
     contact_time_s or contact_time_ms
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
-from ..files.csv_table import read_csv_table
+from ..arrays import Reals
+from ..files.csv_table import CsvTable, read_csv_table
 from .contact_pulse import identified
 from .numbers_found import Identified, Number, identified_stop
 
@@ -40,9 +42,9 @@ def read_impacts(path: Path) -> tuple[Number, Number]:
     return restitution, contact_s
 
 
-def _impact(table, line, cells):
-    numbers = {name: table.number(line, cells, name) for name in cells}
-    if None in numbers.values():
+def _impact(table: CsvTable, line: int, cells: dict[str, str]) -> tuple[float, float]:
+    numbers = {name: number for name in cells if (number := table.number(line, cells, name)) is not None}
+    if len(numbers) < len(cells):
         raise table.refusal("has an empty cell; every impact needs all its numbers", line)
     if "restitution" in numbers:
         restitution = numbers["restitution"]
@@ -63,7 +65,7 @@ def fault_of(restitution: float, contact_s: float) -> str:
     return "" if 0 < contact_s < np.inf else f"has a contact time of {contact_s:.4g} s; it must be above 0"
 
 
-def _slopes(mass, values):
+def _slopes(mass: float, values: Sequence[float]) -> Reals:
     """Derivatives of ki and ci with respect to restitution and contact time, (2, 2)."""
     columns = []
     for column, value in enumerate(values):

@@ -10,7 +10,6 @@ over any interval, is known at any time without time stepping.
 import cmath
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
@@ -44,9 +43,10 @@ class Cart:
     omega: float = 1.0
     drive: complex = 0j
 
-    def signal(self, time: Any, order: int) -> Any:
+    def signal(self, time: Reals | float, order: int) -> Reals:
         """y (order 0), its derivatives [m/s^order], or its integral (order -1) at these times."""
-        return (self.drive / self.omega**2 * (1j * self.omega)**order * np.exp(1j * self.omega * np.asarray(time))).real
+        values: Reals = (self.drive / self.omega**2 * (1j * self.omega)**order * np.exp(1j * self.omega * np.asarray(time))).real
+        return values
 
 
 @dataclass(frozen=True)
@@ -61,16 +61,18 @@ class Piece:
     amplitudes: tuple[complex, complex]
     forced: tuple[complex, complex]
 
-    def derivative(self, order: int, time: Any) -> Any:
+    def derivative(self, order: int, time: Reals | float) -> Reals:
         """The order-th derivative of u at these times; order -1 is its integral since `begin`, up to a constant."""
-        since = np.asarray(time) - self.begin
+        since: Reals = np.asarray(time) - self.begin
+        total: Reals
         if self.roots[0].imag:  # a conjugate pair
             total = 2 * (self.amplitudes[0] * self.roots[0]**order * np.exp(self.roots[0] * since)).real
         else:
             total = sum(a.real * r.real**order * np.exp(r.real * since) for a, r in zip(self.amplitudes, self.roots))
         if self.forced[1]:
             total = total + (self.forced[1] * self.forced[0]**order * np.exp(self.forced[0] * since)).real
-        return total + (self.rest if order == 0 else self.rest * since if order == -1 else 0.0)
+        total = total + (self.rest if order == 0 else self.rest * since if order == -1 else 0.0)
+        return total
 
 
     def at(self, time: float) -> tuple[float, float, float]:
@@ -120,7 +122,8 @@ class Motion:
         first, last = np.searchsorted(edges, begins), np.searchsorted(edges, ends)
         return {name: (values[last] - values[first]) / (ends - begins) for name, values in integrals.items()}
 
-    def _by_pieces(self, time, names, values_of, places=None):
+    def _by_pieces(self, time: Reals, names: Iterable[str], values_of: Callable[[Piece, Reals, str], Reals | float],
+                   places: Integers | None = None) -> dict[str, Reals]:
         found = {name: np.empty(len(time)) for name in names}
         ends = np.searchsorted(time, [piece.begin for piece in self.pieces[1:]])
         if places is not None:
@@ -133,7 +136,7 @@ class Motion:
                     found[name][first:last] = values_of(piece, time[first:last], name)
         return found
 
-    def _signal(self, piece, time, name):
+    def _signal(self, piece: Piece, time: Reals, name: str) -> Reals | float:
         if name == "displacement":
             return piece.derivative(0, time)
         if name == "acceleration":
@@ -142,7 +145,7 @@ class Motion:
             return self.cart.signal(time, 2 if name == "cart_acceleration" else 0)
         return force_of(self.rig, piece, time) if piece.contact else 0.0
 
-    def _integral(self, piece, time, name):
+    def _integral(self, piece: Piece, time: Reals, name: str) -> Reals:
         if name == "displacement":
             return piece.derivative(-1, time)
         if name == "acceleration":
@@ -155,7 +158,7 @@ class Motion:
         return self.rig.stiffness * lengths + self.rig.damping * piece.derivative(0, time)
 
 
-def force_of(rig: Rig, piece: Piece, time: Any) -> Any:
+def force_of(rig: Rig, piece: Piece, time: Reals) -> Reals:
     """ki (u - gap) + ci u' [N] at these times, of either sign."""
     return rig.stiffness * (piece.derivative(0, time) - rig.gap) + rig.damping * piece.derivative(1, time)
 
@@ -179,7 +182,7 @@ def motion(rig: Rig, cart: Cart, touch_time: float, touch_speed: float, until: f
     return Motion(rig, cart, pieces)
 
 
-def _piece(rig, cart, begin, u, speed, contact):
+def _piece(rig: Rig, cart: Cart, begin: float, u: float, speed: float, contact: bool) -> Piece:
     stiffness = rig.omega**2 + rig.stiffness / rig.mass * contact
     decay = rig.damping_ratio * rig.omega + rig.damping * contact / (2 * rig.mass)
     rest = rig.stiffness / rig.mass * rig.gap / stiffness if contact else 0.0
@@ -194,7 +197,7 @@ def _piece(rig, cart, begin, u, speed, contact):
     return Piece(begin, contact, rest, roots, (first, away - first), (root, amplitude))
 
 
-def _end_of_contact(rig, contact, until):
+def _end_of_contact(rig: Rig, contact: Piece, until: float) -> float | None:
     """The time at which the force falls to 0; None if not before `until`."""
     def force(time: float) -> float:
         u, v, _ = contact.at(time)
@@ -213,7 +216,7 @@ def _end_of_contact(rig, contact, until):
     return _searched_end(contact, force, until)
 
 
-def _searched_end(contact, force, until):
+def _searched_end(contact: Piece, force: Callable[[float], float], until: float) -> float | None:
     """The same, by stepping."""
     step = 0.05 / abs(contact.roots[1])  # the faster root if overdamped
     for _ in range(LONGEST_SEARCH):

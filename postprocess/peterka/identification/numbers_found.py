@@ -43,9 +43,10 @@ class Identified:
             return None
         return Number(self.values[key], float(np.sqrt(max(self._variance(key), 0.0))))
 
-    def _variance(self, key):
+    def _variance(self, key: str) -> float:
         at = list(self.values).index(key)
-        return self.covariance[at, at]
+        value: float = self.covariance[at, at]
+        return value
 
     def correlation(self, one: str, other: str) -> float:
         """Correlation of two keys of `values`."""

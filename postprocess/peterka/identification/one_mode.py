@@ -38,6 +38,8 @@ AFTER = 0.3  # of a contact: left out after it
 TOO_MUCH = 0.05  # share beyond which the hammer isn't one mass
 KNOWN = 0.05  # standard error of a share that is worth telling
 
+Rates = Sequence[Sequence[float]] | Reals  # (omega [rad/s], damping ratio) of each mode
+
 
 @dataclass(frozen=True)
 class _Flights:
@@ -90,7 +92,7 @@ def share_words(share: Number) -> str:
     return told
 
 
-def _flights(recording, guess, begun):
+def _flights(recording: Recording, guess: Guess, begun: Begin) -> _Flights:
     """The _Flights around the first impacts."""
     step, impacts = recording.step, begun.impacts[:MOST_IMPACTS]
     last = begun.impacts[len(impacts)].touch if len(begun.impacts) > len(impacts) else step * (recording.count - 1)
@@ -109,7 +111,7 @@ def _flights(recording, guess, begun):
     return _Flights(time, value, np.ones(len(time)), flight, np.array(begins))
 
 
-def _matrix(flights, rates):
+def _matrix(flights: _Flights, rates: Rates) -> Reals:
     """Columns: a constant, then of each mode and flight a decaying cosine and sine that begin with the flight."""
     columns = [np.ones(len(flights.time))]
     since = flights.time - flights.begins[flights.flight]
@@ -121,7 +123,7 @@ def _matrix(flights, rates):
     return np.transpose(columns)
 
 
-def _amplitudes(flights, rates):
+def _amplitudes(flights: _Flights, rates: Rates) -> tuple[Reals, Reals]:
     matrix = _matrix(flights, rates)
     return np.linalg.lstsq(matrix, flights.value, rcond=1e-10)[0], matrix
 
@@ -131,10 +133,10 @@ def _fitted(flights: _Flights, rates: Sequence[tuple[float, float]]) -> list[tup
     first = np.ravel([(0.0, ratio) for _, ratio in rates])
     omegas = np.array([omega for omega, _ in rates])
 
-    def pairs(chosen):
+    def pairs(chosen: Reals) -> list[tuple[float, float]]:
         return [(omega * np.exp(chosen[2 * at]), chosen[2 * at + 1]) for at, omega in enumerate(omegas)]
 
-    def left(chosen):
+    def left(chosen: Reals) -> Reals:
         answer, matrix = _amplitudes(flights, pairs(chosen))
         return (flights.value - matrix @ answer) / scale
 
@@ -143,7 +145,7 @@ def _fitted(flights: _Flights, rates: Sequence[tuple[float, float]]) -> list[tup
     return pairs(least_squares(left, first, bounds=(lower, upper), x_scale=np.tile([1e-3, 1e-2], len(rates)), xtol=1e-6, max_nfev=15).x)
 
 
-def _standing_out(flights, rates):
+def _standing_out(flights: _Flights, rates: Rates) -> float:
     """omega [rad/s] of the largest peak of what is left in a flight, if it stands out of the spectrum; else 0."""
     answer, matrix = _amplitudes(flights, rates)
     left, best = flights.value - matrix @ answer, (STANDS_OUT, 0.0)
@@ -165,30 +167,31 @@ def _standing_out(flights, rates):
     return best[1]
 
 
-def _velocity(flights, amplitudes, rate, mode, flight, time):
+def _velocity(flights: _Flights, amplitudes: Reals, rate: Sequence[float] | Reals, mode: int, flight: int, time: float) -> float:
     """Velocity [m/s] of a mode of this (omega, damping ratio) in a flight."""
     omega, ratio = rate
     root = omega * (-ratio + 1j * np.sqrt(1 - ratio**2))
     at = 1 + 2 * (mode * len(flights.begins) + flight)
-    return ((amplitudes[at] - 1j * amplitudes[at + 1]) * root * np.exp(root * (time - flights.begins[flight]))).real
+    value: float = ((amplitudes[at] - 1j * amplitudes[at + 1]) * root * np.exp(root * (time - flights.begins[flight]))).real
+    return value
 
 
-def _quiet(flights, rates, begun, at):
+def _quiet(flights: _Flights, rates: Rates, begun: Begin, at: int) -> bool:
     """Whether the swing alone moves before an impact: others move by less than QUIET of its velocity, at any phase."""
     amplitudes, _ = _amplitudes(flights, rates)
     touch = begun.impacts[at].touch
     swing, *others = (np.hypot(_velocity(flights, amplitudes, rate, mode, at, touch),
                                _velocity(flights, amplitudes, rate, mode, at, touch - 0.5 * np.pi / rate[0]) if mode else 0.0)
                       for mode, rate in enumerate(rates))
-    return sum(others) < QUIET * swing
+    return bool(sum(others) < QUIET * swing)
 
 
-def _shares(flights, rates, begun, kept):
+def _shares(flights: _Flights, rates: Rates, begun: Begin, kept: Sequence[int]) -> tuple[Reals, Reals]:
     """((1 - S)(1 + e) of each kept impact, their covariance)."""
     modes = len(rates)
     flat = np.ravel(rates)
 
-    def told(chosen):
+    def told(chosen: Reals) -> Reals:
         answer, pairs = chosen[2 * modes:], chosen[:2 * modes].reshape(-1, 2)
         found = []
         for at in kept:

@@ -1,9 +1,11 @@
 """A recording and its fitted motion: the whole recording, a close-up of the hardest impact, and the residual of each signal."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from ..arrays import Mask, Reals
 from ..plotting import axes, style, units
 from ..plotting.linear_ticks import LinearNumbers, LinearTicks
 from .fit import Fit
@@ -20,7 +22,7 @@ AROUND = 0.8  # of the contact time, shown before and after it
 class _Titled:
     """The data from which the title is written."""
 
-    def __init__(self, title):
+    def __init__(self, title: str) -> None:
         self.title = title
 
 
@@ -62,7 +64,7 @@ def draw(fit: Fit, title: str) -> Figure:
 class _Shown:
     """Samples and the motion fitted to them: as many as a picture shows, and all of those near the hardest impact."""
 
-    def __init__(self, fit):
+    def __init__(self, fit: Fit) -> None:
         self.fit, recording = fit, fit.recording
         begin, end = _window(fit)
         single = np.arange(max(0, int((begin - recording.begin) / recording.step)),
@@ -73,7 +75,7 @@ class _Shown:
         self.fitted = fit.model(recording.step * every)
 
 
-def _window(fit):
+def _window(fit: Fit) -> tuple[float, float]:
     """(begin, end) [s] of a window around the hardest impact."""
     first = fit.guess.pulses[fit.guess.hardest].top * fit.recording.step
     begin, end = min(fit.contacts(), key=lambda pair: abs(sum(pair) / 2 - first))
@@ -81,7 +83,7 @@ def _window(fit):
     return fit.recording.begin + begin - around, fit.recording.begin + end + around
 
 
-def _draw_signal(ax, shown, name, factor, inside, per_second):
+def _draw_signal(ax: Axes, shown: _Shown, name: str, factor: float, inside: tuple[float, float] | None, per_second: float) -> None:
     begin, keep = inside[0] if inside else 0.0, _inside(shown.time, inside)
     ax.plot(per_second * (shown.time[keep] - begin), factor * shown.signals[name][keep],
             rasterized=bool(keep.sum() > 5000), **RECORDED | ({"markersize": 3} if inside else {}))
@@ -92,7 +94,7 @@ def _draw_signal(ax, shown, name, factor, inside, per_second):
     ax.plot(per_second * (time - begin), factor * values, rasterized=len(time) > 5000, **FITTED)
 
 
-def _draw_left(ax, shown, name, factor, inside, per_second):
+def _draw_left(ax: Axes, shown: _Shown, name: str, factor: float, inside: tuple[float, float] | None, per_second: float) -> None:
     keep = _inside(shown.time, inside)
     begin, left = inside[0] if inside else 0.0, shown.signals[name] - shown.fitted[name]
     ax.plot(per_second * (shown.time[keep] - begin), factor * left[keep], rasterized=bool(keep.sum() > 5000),
@@ -102,11 +104,11 @@ def _draw_left(ax, shown, name, factor, inside, per_second):
     ax.set_ylim(-1.3 * factor * largest, 1.3 * factor * largest)
 
 
-def _inside(time, inside):
+def _inside(time: Reals, inside: tuple[float, float] | None) -> Mask:
     return np.ones(len(time), dtype=bool) if inside is None else (time >= inside[0]) & (time <= inside[1])
 
 
-def _plain(ax):
+def _plain(ax: Axes) -> None:
     ax.grid(color="#DDDDDD", linewidth=0.5)
     ax.set_axisbelow(True)
     for axis in (ax.xaxis, ax.yaxis):

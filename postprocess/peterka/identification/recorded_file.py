@@ -5,7 +5,7 @@ held in memory, what is long mapped from there.
 """
 
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import IO
@@ -51,10 +51,10 @@ def read_recording(path: Path, begin: float | None, end: float | None, layout: L
     return Recording(path, times.begin, times.step, numbers).cut(begin, end)
 
 
-def _columns(table, layout):
+def _columns(table: NumberTable | Sheet, layout: Layout) -> tuple[list[Column | None], float | None]:
     """(Columns, sample rate [Hz] or None) of a table. Raises ValueError with the reason."""
     if isinstance(table, Sheet):
-        names, units, width, rate = table.names, (), table.width, layout.rate or table.rate
+        names, width, rate = table.names, table.width, layout.rate or table.rate
         if table.rate and layout.rate:
             raise ValueError(f"has its own rate, {table.rate:g} Hz, so that --rate-hz doesn't apply")
         if table.rate and layout.columns is not None and (named := [name for name in layout.columns if name != "-"]):
@@ -62,8 +62,8 @@ def _columns(table, layout):
             if unscaled:
                 raise ValueError(f"has shares of full scale; --scale {unscaled[0]}=FACTOR says what full scale is in SI")
     else:
-        names, units, width, rate = table.heading.names, table.heading.units, table.heading.width, layout.rate
-    columns = columns_of(names, units, width, layout)
+        names, width, rate = table.heading.names, table.heading.width, layout.rate
+    columns = columns_of(names, () if isinstance(table, Sheet) else table.heading.units, width, layout)
     told = list(names if layout.columns is None else layout.columns)
     clocks = [name for name, column in zip(told, columns) if column and column.quantity == "time"]
     signals = [name for name, column in zip(told, columns) if column and column.quantity != "time"]
@@ -81,7 +81,7 @@ def _columns(table, layout):
     return columns, rate
 
 
-def _names(table, columns):
+def _names(table: NumberTable | Sheet, columns: Sequence[Column | None]) -> tuple[str, ...]:
     names = table.names if isinstance(table, Sheet) else table.heading.names
     if names:
         return names
@@ -102,7 +102,8 @@ def _spooled(table: Sheet | NumberTable, blocks: Blocks, columns: list[Column | 
     return found
 
 
-def _spool(table, blocks, columns, spools):
+def _spool(table: NumberTable | Sheet, blocks: Blocks, columns: Sequence[Column | None],
+           spools: Mapping[str, IO[bytes]]) -> int:
     """Writes the columns in SI; returns the number of samples."""
     count = 0
     for rows, line_of in blocks:

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import scipy.io
+from numpy.typing import NDArray
 from scipy.io import wavfile
 
 from ..arrays import Reals
@@ -68,7 +69,7 @@ def read_sheet(path: Path) -> Sheet | None:
         raise PeterkaFileError(f"{path} can't be read as {suffix[1:]}: {type(error).__name__}; it may be damaged") from error
 
 
-def _matlab(path):
+def _matlab(path: Path) -> Sheet:
     shapes = {name: (shape, kind) for name, shape, kind in scipy.io.whosmat(path)}
     size = sum(8 * int(np.prod(shape)) for shape, _ in shapes.values())
     if size > LARGEST_MATLAB:
@@ -98,13 +99,13 @@ def _loaded(path: Path, names: list[str]) -> dict[str, Any]:
     return read
 
 
-def _real(path, name, values):
+def _real(path: Path, name: str, values: NDArray[Any]) -> NDArray[Any]:
     if np.iscomplexobj(values):
         raise PeterkaFileError(f"{path} has complex numbers in {name}; a recording has real ones")
     return values
 
 
-def _wav(path):
+def _wav(path: Path) -> Sheet:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", wavfile.WavFileWarning)  # of chunks that aren't samples
         try:
@@ -115,5 +116,9 @@ def _wav(path):
     middle, full = {"u": (128.0, 128.0), "i": (0.0, 2.0 ** (8 * table.dtype.itemsize - 1))}.get(table.dtype.kind, (0.0, 1.0))
     if not rate > 0 or not len(table):
         raise PeterkaFileError(f"{path} has {len(table)} samples at {rate} Hz")
-    return Sheet(path, (), table.shape[1], len(table), float(rate),
-                 lambda first, last: (np.asarray(table[first:last], dtype=float) - middle) / full)
+
+    def values(first: int, last: int) -> Reals:
+        rows: Reals = (np.asarray(table[first:last], dtype=float) - middle) / full
+        return rows
+
+    return Sheet(path, (), table.shape[1], len(table), float(rate), values)

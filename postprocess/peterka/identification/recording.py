@@ -42,7 +42,8 @@ class Recording:
 
     def gaps(self) -> tuple[int, float, float]:
         """(number of stretches without a sample, length [s] of the longest, time [s] of its begin); NaN if there are none."""
-        count, longest, begin, since = 0, 0, 0, None
+        count, longest, begin = 0, 0, 0
+        since: int | None = None
         for first in range(0, self.count, AT_ONCE):
             absent = np.logical_or.reduce([np.isnan(signal[first:first + AT_ONCE]) for signal in self.signals.values()])
             edges = np.flatnonzero(np.diff(np.concatenate([[since is not None], absent]).astype(np.int8)))
@@ -50,7 +51,7 @@ class Recording:
                 if since is None:
                     count, since = count + 1, at
                 else:
-                    longest, begin = max((longest, begin), (at - since, since), key=lambda one: one[0])
+                    longest, begin = max((longest, begin), (at - since, since), key=lambda one: int(one[0]))
                     since = None
         if since is not None:
             longest, begin = max((longest, begin), (self.count - since, since), key=lambda one: one[0])
@@ -116,7 +117,7 @@ def even_times(time: Reals) -> EvenTimes:
     return EvenTimes(first + begin, step + slope, places + 1, rough)
 
 
-def _step_without_gaps(time):
+def _step_without_gaps(time: Reals) -> float:
     """The mean step in the longest stretch without missing samples."""
     steps = np.diff(time)
     median = float(np.median(steps))
@@ -126,7 +127,7 @@ def _step_without_gaps(time):
     return float((time[end] - time[begin]) / (end - begin)) if end > begin else median
 
 
-def _refuse_descending(time):
+def _refuse_descending(time: Reals) -> None:
     for first in range(0, len(time), AT_ONCE):
         steps = np.diff(time[first:first + AT_ONCE + 1])
         if len(steps) and not steps.min() > 0:
@@ -135,7 +136,7 @@ def _refuse_descending(time):
             raise UnevenTimes(f" (after {time[at]:.9g} s: {kind})")
 
 
-def _places(time, step):
+def _places(time: Reals, step: float) -> Iterator[tuple[int, Integers]]:
     place = 0
     for first in range(0, len(time), AT_ONCE):
         steps = np.diff(time[max(0, first - 1):first + AT_ONCE])

@@ -24,9 +24,11 @@ def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | Non
     else:
         better = f" better than {number_text(ratio)}" if ratio else " it"
         lines += [f"# damping_ratio =               what was measured doesn't tell{better}: give it here"]
+    stiffness, damping = found.number(STIFFNESS), found.number(DAMPING)
+    assert stiffness is not None and damping is not None  # of any recording with an impact
     lines += ["", *(["[cart]", f"amplitude_m = {float(amplitude_m)!r}", ""] if amplitude_m else []), "[contact]",
-              'law = "kelvin_voigt"', _line("stiffness_n_per_m", found.number(STIFFNESS), "N/m"),
-              _line("damping_ns_per_m", found.number(DAMPING), "Ns/m")]
+              'law = "kelvin_voigt"', _line("stiffness_n_per_m", stiffness, "N/m"),
+              _line("damping_ns_per_m", damping, "Ns/m")]
     if gap and gap.error is not None:
         lines += ["", f"# The gap was {number_text(Number(1e3 * gap.value, 1e3 * gap.error))} mm."]
     return "\n".join(lines) + "\n"
@@ -46,6 +48,6 @@ def told(number: Number) -> bool:
     return number.error is None or number.error < 0.5 * abs(number.value) or 0 < number.error < 1e-4
 
 
-def _line(key, number, unit):
+def _line(key: str, number: Number, unit: str) -> str:
     comment = "  # given" if number.error is None else f"  # {number_text(number)} {unit}".rstrip()
     return f"{key} = {float(f'{number.value:.10g}')!r}{comment}"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..arrays import Mask, Reals
+from ..arrays import Integers, Mask, Reals
 from .recording import Recording
 
 MOST_MEANS = 600  # between impacts
@@ -67,7 +67,7 @@ def _each(signals: dict[str, Reals], chosen: Mask) -> dict[str, Reals]:
     return {name: values[chosen] for name, values in signals.items()}
 
 
-def _stretches(borders, count):
+def _stretches(borders: Integers, count: int) -> list[tuple[int, int]]:
     """(first, after the last) of the intervals outside all windows."""
     found, begin = [], 0
     for first, last in borders:
@@ -77,10 +77,10 @@ def _stretches(borders, count):
     return found + [(begin, count)] * int(count > begin)
 
 
-def _blocks(first, last, size):
+def _blocks(first: int, last: int, size: int) -> Integers:
     edges = np.append(np.arange(first, last, size), last)
     return np.transpose([edges[:-1], edges[1:]])
 
 
-def _means(signal, firsts, lasts):
+def _means(signal: Reals, firsts: Integers, lasts: Integers) -> Reals:
     return np.array([np.mean(np.asarray(signal[first:last], dtype=float)) for first, last in zip(firsts, lasts)])

@@ -5,12 +5,14 @@ touch (for well-sampled contacts, those within one step of it) has no weight: th
 sensor's does not. The residuals are then a smooth function of the parameters.
 """
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import least_squares
 
 from ..arrays import Integers, Mask, Reals
+from .motion import Motion
 from .problem import LEAST_NOISE, NO_RIG, SHARP, Problem
 
 ROUNDS = 8  # at most, until the set of samples in contact no longer changes
@@ -83,12 +85,13 @@ def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: in
         rows = [_rows(problem, one) for one in settled]
         off = WITHIN_STEP * problem.step * _together(problem, settled)
 
-        def left(chosen, settled=settled, rows=rows, off=off):
+        def left(chosen: Reals, settled: list[Settled] = settled, rows: list[int] = rows, off: float = off) -> Reals:
             then = problem.values(chosen)
             return np.concatenate([*(_leg(problem, then, number, settled[number], rows[number], off)
                                      for number in range(len(problem.legs))), _priors(problem, then)])
 
-        def slopes(chosen, left=left, rows=rows, lower=lower, upper=upper):
+        def slopes(chosen: Reals, left: Callable[[Reals], Reals] = left, rows: list[int] = rows, lower: Reals = lower,
+                   upper: Reals = upper) -> Reals:
             rough = _slopes(problem, left, chosen, upper, [*rows, len(problem.prior)])
             return rough if problem.pushed else _sharper(left, chosen, lower, upper, rough)
 
@@ -116,7 +119,7 @@ def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
     for touch, place in zip(touches, places):
         near = [at for at in (place - 1, place) if 0 <= at < len(time)]
         if near:
-            nearest = min(near, key=lambda at: abs(time[at] - touch))
+            nearest = min(near, key=lambda at: float(abs(time[at] - touch)))
             used[nearest] = abs(time[nearest] - touch) > problem.step
         used &= np.abs(time - touch) > max(problem.blind, problem.step * (problem.scale["contact"] > MANY * problem.step))
     for begin, end in moved.contacts():
@@ -126,7 +129,7 @@ def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
     return Settled(touches, places, used, time < until, samples.ends < until, contact, jumps)
 
 
-def _jumps(problem, value, number, moved, places):
+def _jumps(problem: Problem, value: Mapping[str, float], number: int, moved: Motion, places: Integers) -> dict[int, float]:
     name = next((name for name in SHARP if name in problem.names), None)
     found: dict[int, float] = {}
     if name is None:
@@ -147,7 +150,7 @@ def _jumps(problem, value, number, moved, places):
     return found
 
 
-def _together(problem, settled):
+def _together(problem: Problem, settled: Sequence[Settled]) -> float:
     """Factor on the error of a jump's position if all impacts are a constant number of samples apart: each is then sampled
     at the same phase, and many impacts carry no more information than one."""
     touches = np.concatenate([one.touches for one in settled])
@@ -167,7 +170,7 @@ def levels(found: Solved) -> tuple[dict[str, float], dict[str, float]]:
     return noise, more
 
 
-def _parts(found, number, name):
+def _parts(found: Solved, number: int, name: str) -> tuple[Reals, Reals]:
     """(residuals outside contact, scaled to a single sample's noise; residuals in contact) of a signal in a leg."""
     settled, counts = found.settled[number], found.problem.legs[number].samples.counts
     singles, means = found.problem.left(found.value, number, settled.places)
@@ -176,20 +179,20 @@ def _parts(found, number, name):
             singles[name][fine & settled.contact])
 
 
-def _level(left):
+def _level(left: Reals) -> float:
     return float(np.sqrt(np.mean(left**2))) if len(left) else 0.0
 
 
-def _stays(old, new, step):
-    return (len(old.touches) == len(new.touches) and np.all(np.abs(old.touches - new.touches) < STAYS * step)
-            and old.jumps == new.jumps and np.sum(old.known != new.known) + np.sum(old.known_means != new.known_means) <= 1)
+def _stays(old: Settled, new: Settled, step: float) -> bool:
+    return bool(len(old.touches) == len(new.touches) and np.all(np.abs(old.touches - new.touches) < STAYS * step)
+                and old.jumps == new.jumps and np.sum(old.known != new.known) + np.sum(old.known_means != new.known_means) <= 1)
 
 
-def _rows(problem, settled):
+def _rows(problem: Problem, settled: Settled) -> int:
     return int(sum(settled.of(name).sum() + settled.known_means.sum() for name in problem.names)) + len(settled.jumps)
 
 
-def _leg(problem, value, number, settled, rows, off):
+def _leg(problem: Problem, value: dict[str, float], number: int, settled: Settled, rows: int, off: float) -> Reals:
     try:
         moved = problem.motion(value, number)
         singles, means = problem.left(value, number, settled.places, moved)
@@ -201,10 +204,11 @@ def _leg(problem, value, number, settled, rows, off):
         found += [(singles[name] / noise)[settled.of(name)], (means[name] * counts / problem.noise[name])[settled.known_means]]
     touches = moved.touches
     found.append(np.array([(touches[at] - middle) / off if at < len(touches) else NO_JUMP for at, middle in settled.jumps.items()]))
-    return np.clip(np.nan_to_num(np.concatenate(found), nan=NO_RIG), -NO_RIG, NO_RIG)
+    values: Reals = np.clip(np.nan_to_num(np.concatenate(found), nan=NO_RIG), -NO_RIG, NO_RIG)
+    return values
 
 
-def _slopes(problem, left, chosen, upper, rows):
+def _slopes(problem: Problem, left: Callable[[Reals], Reals], chosen: Reals, upper: Reals, rows: Sequence[int]) -> Reals:
     """Jacobian of all residuals, (residuals, parameters), by differences; a leg's own parameters are varied in all legs at once."""
     names, here = problem.parameters, left(chosen)
     edges, found = np.concatenate([[0], np.cumsum(rows)]), np.zeros((len(here), len(names)))
@@ -225,7 +229,7 @@ def _slopes(problem, left, chosen, upper, rows):
     return found
 
 
-def _sharper(left, chosen, lower, upper, rough):
+def _sharper(left: Callable[[Reals], Reals], chosen: Reals, lower: Reals, upper: Reals, rough: Reals) -> Reals:
     """The Jacobian by central differences along the principal axes of a rough one, by WHITE standard deviations each, but at most FAR.
     Springs, gap and speed compensate each other to 1e-4 and less, which differences along the single parameters do not resolve."""
     size = np.maximum(np.sqrt(np.sum(rough**2, axis=0)), 1e-30)
@@ -237,14 +241,15 @@ def _sharper(left, chosen, lower, upper, rough):
         if room * np.max(np.abs(way)) < STEP:
             return rough
         found.append((left(chosen + step * way) - left(chosen - step * way)) / (2 * step))
-    return np.transpose(found) @ (axes * size)
+    values: Reals = np.transpose(found) @ (axes * size)
+    return values
 
 
-def _priors(problem, value):
+def _priors(problem: Problem, value: Mapping[str, float]) -> Reals:
     return np.array([(value[name] - mean) / deviation for name, (mean, deviation) in problem.prior.items()])
 
 
-def _covariance(jacobian):
+def _covariance(jacobian: Reals) -> Reals:
     size = np.sqrt(np.sum(jacobian**2, axis=0))
     size[size == 0] = 1e-30
     scaled = jacobian / size

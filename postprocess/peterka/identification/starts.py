@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Reals
 from .contact_pulse import identified, pulse
 from .first_guess import Guess
 from .problem import SHARP, SLOW, Leg, Problem
@@ -125,7 +126,8 @@ def noise_levels(guess: Guess) -> dict[str, float]:
     return {name: max(noise, 1e-6 * guess.ranges[name]) for name, noise in guess.noise.items()}
 
 
-def _alone(recording, guess, mass, stiffness, ratio, contact, impacts):
+def _alone(recording: Recording, guess: Guess, mass: float, stiffness: float, ratio: float, contact: float,
+           impacts: Sequence[Impact]) -> Solved | None:
     """The Solved of single impacts with a common stop; None if the fit fails."""
     problem = alone_problem(recording, guess, mass, stiffness, contact, impact_legs(recording, guess, impacts), FIRST_PUSH)
     try:
@@ -134,28 +136,30 @@ def _alone(recording, guess, mass, stiffness, ratio, contact, impacts):
         return None
 
 
-def _scanned(recording, guess, mass):
+def _scanned(recording: Recording, guess: Guess, mass: float) -> tuple[float, float, float, float]:
     """(ki, damping ratio, touch [s], speed [m/s]) of the hardest impact: the best match among many pulses of a free mass."""
     one = guess.pulses[guess.hardest]
     around, step = one.last - one.first, recording.step
     first, last = max(0, one.first - around), one.last + around
     time = step * np.arange(first, min(last, recording.count))
+    assert guess.sharp is not None
     signal = -guess.signs[guess.sharp] * mass if guess.sharp == "acceleration" else guess.signs[guess.sharp]
-    force = np.nan_to_num(signal * (np.asarray(recording.signals[guess.sharp][first:last], dtype=float) - guess.offsets[guess.sharp]))
-    best = (np.inf, 0.0, 0.0, 0.0, 0.0)
+    recorded: Reals = np.asarray(recording.signals[guess.sharp][first:last], dtype=float)
+    force = np.nan_to_num(signal * (recorded - guess.offsets[guess.sharp]))
+    best = (float(np.inf), 0.0, 0.0, 0.0, 0.0)
     for ratio in SCANNED_RATIOS:
         for length in around * SCANNED_LENGTHS:
             stiffness = mass * (pulse(mass, mass, 2 * ratio * mass)[1] / (length * step))**2
             for begin in np.linspace(one.first - 1, one.top, SCANNED_TOUCHES):
                 shape = _free_pulse(time - step * begin, stiffness, ratio, mass)
-                speed = float(shape @ force / max(shape @ shape, 1e-300))
+                speed = float(shape @ force / max(float(shape @ shape), 1e-300))
                 cost = float(np.sum((force - speed * shape)**2))
                 if speed > 0 and cost < best[0]:
                     best = (cost, stiffness, ratio, step * begin, speed)
     return best[1:]
 
 
-def _free_pulse(since, stiffness, ratio, mass):
+def _free_pulse(since: Reals, stiffness: float, ratio: float, mass: float) -> Reals:
     """Force [N] of a free mass that touches at time 0 with 1 m/s; damping ratio below 1."""
     omega = np.sqrt(stiffness / mass)
     swing = omega * np.sqrt(1 - ratio**2)
@@ -165,11 +169,12 @@ def _free_pulse(since, stiffness, ratio, mass):
     return np.where(since >= 0, np.maximum(stiffness * place + 2 * ratio * np.sqrt(stiffness * mass) * speed, 0), 0)
 
 
-def _rough_speed(recording, guess, mass, stiffness):
+def _rough_speed(recording: Recording, guess: Guess, mass: float, stiffness: float) -> float:
     """The speed at which an impact is as strong as the recorded one; for a displacement, its slope before the impact."""
     hardest = guess.pulses[guess.hardest]
     if guess.sharp:
-        return hardest.height * (1 / mass if guess.sharp == "force" else 1) / np.sqrt(stiffness / mass) * 1.3
+        value: float = hardest.height * (1 / mass if guess.sharp == "force" else 1) / np.sqrt(stiffness / mass) * 1.3
+        return value
     values = recording.signals["displacement"]
     before = np.asarray(values[max(0, hardest.first - 100):hardest.first], dtype=float)
     slope = np.polyfit(np.arange(len(before)), before, 1)[0] if len(before) > 2 else guess.ranges["displacement"] / 100

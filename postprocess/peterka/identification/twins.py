@@ -5,7 +5,7 @@ springs may meet them all. A fit has no weight for samples after an impact that 
 different samples out; here each is continued through such impacts, and then compared in the same samples by likelihood.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -60,13 +60,13 @@ def likeliest(found: Sequence[Solved]) -> tuple[Solved, str | None]:
     return best.fit, None
 
 
-def _per_row(one):
+def _per_row(one: Solved) -> float:
     return one.cost / max(one.rows, 1)
 
 
-def _different(found):
+def _different(found: Iterable[Solved]) -> list[Solved]:
     """Those of distinct rigs, of each the first."""
-    kept = []
+    kept: list[Solved] = []
     for one in found:
         numbers = identified_from(one, likeness_of(one))
         if all(_apart(identified_from(other, likeness_of(other)), numbers) for other in kept):
@@ -80,7 +80,7 @@ def _apart(one: Identified, other: Identified) -> bool:
     return bool(np.any(np.abs(np.subtract(list(other.values.values()), list(one.values.values()))) > OUTSIDE * errors))
 
 
-def _continued(one):
+def _continued(one: Solved) -> Solved:
     """The Solved with one more impact at a time, until its motion has all that happen in the recording; the last one that was found."""
     leg = one.problem.legs[0]
     for more in range(1, MOST_UNSEEN + 1):
@@ -93,7 +93,7 @@ def _continued(one):
     return one
 
 
-def _unlikely(one, until, noise, more):
+def _unlikely(one: Solved, until: float, noise: Mapping[str, float], more: Mapping[str, float]) -> float:
     """-2 ln of the likelihood of the samples before a time [s], for noise {signal: standard deviation} and `more` {signal: factor of it
     in contact}, but for a constant."""
     samples, settled = one.problem.legs[0].samples, one.settled[0]
@@ -109,6 +109,7 @@ def _unlikely(one, until, noise, more):
     return total
 
 
-def _words(numbers):
+def _words(numbers: Identified) -> str:
     hertz, gap = numbers.number(FREQUENCY), numbers.number(GAP)
+    assert hertz is not None and gap is not None
     return f"springs of {hertz.value:.4g} Hz with a gap of {1e3 * gap.value:.4g} mm"

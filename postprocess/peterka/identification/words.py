@@ -5,6 +5,7 @@ import numpy as np
 from .fit import Fit
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 from .one_mode import share_words
+from .recording import Recording
 
 MUCH_LEFT = 3  # multiple of the noise
 
@@ -53,7 +54,7 @@ def recording_lines(fit: Fit) -> list[str]:
     return lines
 
 
-def _missing(recording):
+def _missing(recording: Recording) -> str:
     missing = recording.missing
     if not missing:
         return ""
@@ -68,11 +69,11 @@ def number_in_ms(seconds: float) -> str:
     return f"{1e3 * seconds:.4g} ms"
 
 
-def _scaled(number, factor):
+def _scaled(number: Number | None, factor: float) -> Number | None:
     return number and Number(factor * number.value, None if number.error is None else factor * number.error)
 
 
-def _value(number, unit):
+def _value(number: Number | None, unit: str) -> str:
     if number is None:
         return "not told by what was measured"
     if number.error is None:

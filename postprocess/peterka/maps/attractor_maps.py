@@ -11,7 +11,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
+from ..arrays import Integers, Reals, ma
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX, classify
@@ -41,7 +44,7 @@ KIND_HATCHES = ["++", "", "", "\\\\", ""]  # in the grey palette
 @picture(PeterkaFile)
 def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The number of known attractors of a cell: those reached by its starts, and others."""
-    def label(regime, attractors, slots):
+    def label(regime: Integers, attractors: Integers, slots: Integers) -> Integers:
         return np.where(regime == NOT_COMPUTED, 0, np.clip(_known(attractors, slots), 1, len(NUMBERS) - 1))
 
     reduced, counts = class_picture(file, ["regime", "attractors", "attractor_regime"], label, len(NUMBERS))
@@ -79,13 +82,13 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     distinguished by whether another motion is known. None if no orbit was kicked."""
     names = ["regime", *KICKS] + (["attractors", "attractor_regime"] if file.slots else [])
 
-    def kinds(regime, kick, tried, *known):
+    def kinds(regime: Integers, kick: Reals, tried: Reals, *known: Integers) -> Integers:
         kick, tried = (_of_kicked(values, tried) for values in (kick, tried))
         others = np.where(_known(*known) == 1, ALONE, NONE_FOUND) if known else np.full(regime.shape, NONE_FOUND)
         kind = np.where(np.isfinite(kick), THROWN, np.where(np.isfinite(tried), others, NO_ORBIT))
         return np.where(regime == NOT_COMPUTED, WAITING, kind)
 
-    def values(regime, kick, tried, *_):
+    def values(regime: Integers, kick: Reals, tried: Reals, *_: Integers) -> Reals:
         return np.where(regime == NOT_COMPUTED, np.nan, _of_kicked(kick, tried))
 
     classes, counts = class_picture(file, names, kinds, len(KIND_COLOURS))
@@ -105,19 +108,20 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     return _with_scale(figure, ax, bar_ax, file, reduced, f"critical kick of the {whose}, at its worst phase (m/s)", top)
 
 
-def _known(attractors, slots):
+def _known(attractors: Integers, slots: Integers) -> Integers:
     """The number of known attractors of each cell; slots (slot, row, column) hold the regimes of the stored ones."""
     return np.maximum(attractors, (slots != NOT_COMPUTED).sum(axis=0))
 
 
-def _of_kicked(values, tried):
+def _of_kicked(values: Reals, tried: Reals) -> Reals:
     """The values of the first slot with a kicked orbit, or of the cell: (rows, columns)."""
     if values.ndim == 2:
         return values
-    return np.take_along_axis(values, np.argmax(np.isfinite(tried), axis=0)[None], axis=0)[0]
+    found: Reals = np.take_along_axis(values, np.argmax(np.isfinite(tried), axis=0)[None], axis=0)[0]
+    return found
 
 
-def _tried_without(file):
+def _tried_without(file: PeterkaFile) -> tuple[float, float]:
     """The smallest and the largest limit up to which cells without a critical kick were tested, m/s."""
     least, most = np.inf, 0.0
     for _, band in file.bands(["regime", *KICKS]):
@@ -130,7 +134,7 @@ def _tried_without(file):
 @picture(PeterkaFile)
 def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The share of starts that end with impacts."""
-    def share(regime, of, shares):
+    def share(regime: Integers, of: Integers, shares: Reals) -> Reals:
         impacting = np.where(np.isin(of, [PERIODIC, CHAOTIC]), shares, 0).sum(axis=0)
         return np.where(regime == NOT_COMPUTED, np.nan, impacting)
 
@@ -143,7 +147,7 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
     """The share of starts that end in the class named by one of SHARES."""
     entry = SHARES[name]
 
-    def share(regime, *slots):
+    def share(regime: Integers, *slots: NDArray[Any]) -> Reals:
         reached = np.where(classify(*slots[:3]) == INDEX[entry.label], slots[3], 0).sum(axis=0)
         return np.where(regime == NOT_COMPUTED, np.nan, reached)
 
@@ -159,18 +163,18 @@ def commonest(file: PeterkaFile) -> list[str]:
     return _COMMONEST[file]
 
 
-def _find_commonest(file):
+def _find_commonest(file: PeterkaFile) -> list[str]:
     total, cells = np.zeros(len(CLASSES)), 0
     for _, band in file.bands(LABELS):
         classes = classify(*(band[name] for name in LABELS[1:4]))
         total += np.bincount(classes.ravel(), weights=band["basin_share"].ravel(), minlength=len(CLASSES))
         cells += int(np.sum(band["regime"] != NOT_COMPUTED))
-    names = sorted(SHARES, key=lambda name: -total[INDEX[SHARES[name].label]])
+    names = sorted(SHARES, key=lambda name: -float(total[INDEX[SHARES[name].label]]))
     return [name for name in names[:MOST_CLASSES] if total[INDEX[SHARES[name].label]] > LEAST_SHARE * max(cells, 1)]
 
 
-def _draw_scale(file, ax, reduced, label, top, lacking):
-    computed, counts = class_picture(file, ["regime"], lambda regime: (regime == NOT_COMPUTED).astype(np.uint8), 2)
+def _draw_scale(file: PeterkaFile, ax: Axes | None, reduced: Reduced, label: str, top: float, lacking: str | None) -> Axes:
+    computed, counts = class_picture(file, ["regime"], lambda regime: np.isin(regime, NOT_COMPUTED), 2)
     handles = [axes.legend_patch(lacking, LACKING_COLOUR)] if lacking and counts[0] else []
     handles += [axes.legend_patch("not computed yet", None, hatched=True)] if counts[1] else []
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
@@ -178,8 +182,8 @@ def _draw_scale(file, ax, reduced, label, top, lacking):
     return _with_scale(figure, ax, bar_ax, file, reduced, label, top)
 
 
-def _with_scale(figure, ax, bar_ax, file, reduced, label, top):
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=scale_colours(),
+def _with_scale(figure: Figure, ax: Axes, bar_ax: Axes, file: PeterkaFile, reduced: Reduced, label: str, top: float) -> Axes:
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=top, rasterized=True)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="neither" if top == 1 else "max")
     bar.outline.set_linewidth(0.6)
@@ -187,14 +191,14 @@ def _with_scale(figure, ax, bar_ax, file, reduced, label, top):
     return _finished(figure, ax, file)
 
 
-def _finished(figure, ax, file):
+def _finished(figure: Figure, ax: Axes, file: PeterkaFile) -> Axes:
     axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, ax=ax)
     return ax
 
 
-def reduced_values(file: PeterkaFile, names: Sequence[str], values: Callable, least: Any | None) -> Reduced:
+def reduced_values(file: PeterkaFile, names: Sequence[str], values: Callable[..., Reals], least: Any | None) -> Reduced:
     """Cell values, reduced to a block's mean or, with np.fmin, its minimum; NaN where it has none."""
     block, pieces = block_size(file.shape, LIMIT), []
     for _, band in file.bands(names, block):

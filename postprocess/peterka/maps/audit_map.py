@@ -5,10 +5,11 @@ Bottom: the share of the compared cells whose peak forces differ by at most a gi
 """
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..arrays import Reals
+from ..arrays import Integers, Reals
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX
 from ..plotting.fills import paler
@@ -48,7 +49,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     return ax
 
 
-def _background(counts):
+def _background(counts: Integers) -> list[tuple[list[Artist], int, str | None]]:
     """Legends of the plane's pale classes."""
     present = [(n, axes.legend_patch(CLASSES[n].label, paler(CLASSES[n].colour, PALE), n == INDEX["not computed yet"]))
                for n in np.flatnonzero(counts)]
@@ -61,7 +62,7 @@ def compared_errors(force_error: Reals) -> Reals:
     return np.sort(force_error[np.isfinite(force_error)])
 
 
-def _draw_errors(ax, force_error):
+def _draw_errors(ax: Axes, force_error: Reals) -> None:
     errors = compared_errors(force_error)
     ax.set_ylim(0, 100)
     ax.set_ylabel("share of cells (%)")

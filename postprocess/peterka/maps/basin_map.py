@@ -9,12 +9,15 @@ has the time of the last impact, also as seen by a run of a given number of cycl
 """
 
 from collections import Counter
+from collections.abc import Callable, Sequence
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
+from ..arrays import Integers
 from ..files.coordinates import unit_of
 from ..files.job_numbers import edge_of_no_impact
 from ..files.regimes import CHAOTIC, NO_IMPACT, PERIODIC
@@ -24,6 +27,7 @@ from ..plotting.fills import Fill, fill
 from ..plotting.picture import picture
 from .map_file import PeterkaFile
 from .reduce import class_picture
+from .tables import Attractors
 
 WIDTH = 3.7  # in
 NAMED_ATTRACTORS = 20  # longer legends are unreadable; the smaller basins share one colour
@@ -48,7 +52,7 @@ def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     number = np.full(table.count + 1, len(entries) - 1)
     number[named] = len(CLASSES) + np.arange(len(named))
 
-    def label(attractor, regime, impacts, period):
+    def label(attractor: Integers, regime: Integers, impacts: Integers, period: Integers) -> Integers:
         return np.where(attractor >= 0, number[attractor], classify(regime, impacts, period))
 
     marks = _attractor_points(file, named, named_entries)
@@ -66,7 +70,7 @@ def draw_impact(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     entries = [*_class_entries(), ("impact", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact", NO_IMPACT_COLOUR)
 
-    def label(regime, impacts, period):
+    def label(regime: Integers, impacts: Integers, period: Integers) -> Integers:
         hits = (regime == PERIODIC) | (regime == CHAOTIC)
         return np.where(hits, len(CLASSES), classify(regime, impacts, period))
 
@@ -80,14 +84,15 @@ def draw_impact_after(file: PeterkaFile, ax: Axes | None = None, *, cycles: int 
     entries = [*_class_entries(), (f"impact after {cycles} cycles", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact any more", NO_IMPACT_COLOUR)
 
-    def label(regime, impacts, period, last_impact):
+    def label(regime: Integers, impacts: Integers, period: Integers, last_impact: Integers) -> Integers:
         hits = (regime == PERIODIC) | (regime == CHAOTIC) | ((regime == NO_IMPACT) & (last_impact > cycles))
         return np.where(hits, len(CLASSES), classify(regime, impacts, period))
 
     return _draw(file, ax, ["regime", "impacts", "period", "last_impact"], label, entries, 1)
 
 
-def _draw(file, ax, names, label, entries, columns, marks=()):
+def _draw(file: PeterkaFile, ax: Axes | None, names: Sequence[str], label: Callable[..., Integers],
+          entries: Sequence[tuple[str, str | Fill]], columns: int, marks: Sequence[Artist] = ()) -> Axes:
     """Axes of labelled starts; `entries` holds (legend text, colour) for each
     label, `columns` is the legend's, `marks` are additional legend entries."""
     reduced, counts = class_picture(file, names, label, len(entries))
@@ -105,23 +110,22 @@ def _draw(file, ax, names, label, entries, columns, marks=()):
     return ax
 
 
-def _missed_free_motion(file):
+def _missed_free_motion(file: PeterkaFile) -> list[Artist]:
     """An entry for the motion without impact, known from the closed form for linear springs, if no start ends on it."""
     ratio, damping, gap = file.positive("frequency_ratio"), file.number("damping_ratio"), file.number("gap_ratio")
-    known = ratio is not None and damping is not None and gap is not None and file.computed == 1
-    if not known or not edge_of_no_impact(np.float64(ratio), damping) < gap:
+    if ratio is None or damping is None or gap is None or file.computed != 1 or not edge_of_no_impact(ratio, damping) < gap:
         return []
     if any((band["regime"] == NO_IMPACT).any() for _, band in file.bands(["regime"])):
         return []
     return [Line2D([], [], label="a motion without impact exists, too:\nnone of these starts ends on it", linestyle="none")]
 
 
-def _class_entries():
+def _class_entries() -> list[tuple[str, str | Fill]]:
     return [(entry.label, entry.colour) for entry in CLASSES]
 
 
-def _legend_entries(counts, entries):
-    largest_first = sorted(np.flatnonzero(counts), key=lambda n: -counts[n])
+def _legend_entries(counts: Integers, entries: Sequence[tuple[str, str | Fill]]) -> list[Artist]:
+    largest_first = sorted(np.flatnonzero(counts), key=lambda n: -int(counts[n]))
     return [
         axes.legend_patch(f"{entries[n][0]} ({axes.percent(counts[n] / counts.sum())})", entries[n][1],
                           n == INDEX["not computed yet"])
@@ -129,16 +133,17 @@ def _legend_entries(counts, entries):
     ]
 
 
-def _largest_attractors(table):
+def _largest_attractors(table: Attractors) -> Integers:
     """Rows of the table with most starts, at most NAMED_ATTRACTORS, in table order."""
     by_size = np.argsort(-table.cells.astype(np.int64), kind="stable")
     return np.sort(by_size[:NAMED_ATTRACTORS])
 
 
-def _attractor_entries(table, named, newtons):
+def _attractor_entries(table: Attractors, named: Integers, newtons: float | None) -> list[tuple[str, str | Fill]]:
     """(legend text, colour) of each named attractor: class of z, force with enough digits to distinguish it within the
     class, and a shade of the class's colour. The force is given over the weight, or in N if `newtons` (the weight) is known."""
-    seen, entries = Counter(), []
+    seen: Counter[str] = Counter()
+    entries: list[tuple[str, str | Fill]] = []
     classes = [class_of(table.regime[row], table.impacts[row], table.period[row]) for row in named]
     for row, entry in zip(named, classes):
         text = f"$z$ = {entry.label}" if table.regime[row] == PERIODIC else entry.label
@@ -152,32 +157,34 @@ def _attractor_entries(table, named, newtons):
     return entries
 
 
-def _shade(colour, repeat):
+def _shade(colour: str, repeat: int) -> str | Fill:
     weight, towards = SHADES[repeat % len(SHADES)]
     if style.is_grey() and repeat:
         return Fill(_mixed(fill(colour).colour, weight / 2, towards), HATCHES[repeat % len(HATCHES)])
     return _mixed(colour, weight, towards) if weight else colour
 
 
-def _mixed(colour, weight, towards):
-    return to_hex([(1 - weight) * own + weight * other for own, other in zip(to_rgb(colour), to_rgb(towards))])
+def _mixed(colour: str, weight: float, towards: str) -> str:
+    mixed: str = to_hex([(1 - weight) * own + weight * other for own, other in zip(to_rgb(colour), to_rgb(towards))])
+    return mixed
 
 
-def _attractor_points(file, named, entries):
+def _attractor_points(file: PeterkaFile, named: Integers,
+                      entries: Sequence[tuple[str, str | Fill]]) -> list[tuple[float, float, str | Fill]]:
     """(x/A0, x'/(A0 omega), colour) of each orbit at phase 0; a chaotic attractor is not a single point."""
     frequency_ratio, table = file.positive("frequency_ratio"), file.attractors
-    if frequency_ratio is None:
+    if frequency_ratio is None or table is None:
         return []
     points = [(table.orbit_displacement[row], table.orbit_velocity[row] + frequency_ratio, colour)
               for row, (_, colour) in zip(named, entries) if table.regime[row] != CHAOTIC]
     return [point for point in points if np.isfinite(point[:2]).all()]
 
 
-def _is_inside(file, point):
+def _is_inside(file: PeterkaFile, point: tuple[float, float, str | Fill]) -> bool:
     return all(axis.edges[0] <= value <= axis.edges[-1] for axis, value in zip((file.columns, file.rows), point))
 
 
-def _mark_handles(file, inside, outside):
+def _mark_handles(file: PeterkaFile, inside: int, outside: int) -> list[Artist]:
     handles = [Line2D([], [], label=f"its attractor, at forcing phase 0{_relative_in_words(file)}", **MARK | {"markerfacecolor": "white"})]
     handles = handles if inside else []
     if outside:
@@ -186,7 +193,7 @@ def _mark_handles(file, inside, outside):
     return handles
 
 
-def _relative_in_words(file):
+def _relative_in_words(file: PeterkaFile) -> str:
     """How the point of an attractor in the picture follows from that of the program's summary, relative to the cart."""
     ratio, unit = file.positive("frequency_ratio"), unit_of(file, "velocity_ratio")
     if ratio is None:

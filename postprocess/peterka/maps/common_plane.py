@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Integers, Reals
 from ..files.coordinates import Coordinate
 from ..plotting.coordinates import called, span_in_words
 from .map_file import BAND_CELLS, Axis, PeterkaFile, axis_of
@@ -52,7 +53,7 @@ class CommonPlane:
         for row in range(0, self.shape[0], rows):
             yield row, self._band(0, names, row, row + rows), self._band(1, names, row, row + rows)
 
-    def _band(self, which, names, begin, end):
+    def _band(self, which: int, names: Iterable[str], begin: int, end: int) -> dict[str, NDArray[Any]]:
         file, rows, columns = (self.first, self.second)[which], self._rows[which][begin:end], self._columns[which]
         band = file.band(names, int(rows[0]), int(rows[-1]) + 1)
         return {name: values[np.ix_(rows - rows[0], columns)] for name, values in band.items()}
@@ -84,18 +85,19 @@ def as_stored(axis: Axis) -> Axis:
     return axis_of(axis.stored, axis.values * axis.unit)
 
 
-def _nearest(fine, coarse):
+def _nearest(fine: Reals, coarse: Reals) -> Integers:
     """Index in `fine` of the value nearest to each value of `coarse`, both ascending."""
     if len(fine) == 1:
         return np.zeros(len(coarse), dtype=int)
     nearest = np.clip(np.searchsorted(fine, coarse), 1, len(fine) - 1)
-    return nearest - (coarse - fine[nearest - 1] < fine[nearest] - coarse)
+    numbers: Integers = nearest - (coarse - fine[nearest - 1] < fine[nearest] - coarse)
+    return numbers
 
 
-def _axes(file):
+def _axes(file: PeterkaFile) -> str:
     return f"{called(file, file.columns)} and {called(file, file.rows)}"
 
 
-def _span(file, axis):
+def _span(file: PeterkaFile, axis: Axis) -> str:
     spacing = ", evenly in the logarithm" if axis.log else ""
     return f"{len(axis.values)} points of {span_in_words(file, axis, axis.values[0], axis.values[-1])}{spacing}"

@@ -41,8 +41,8 @@ class Comparison:
     same_regime: int
     same_label: int
     moves: Counter[tuple[str, str]]
-    force_ratio: np.ndarray
-    place: np.ndarray
+    force_ratio: Reals
+    place: Integers
 
     @property
     def scale(self) -> float:
@@ -76,7 +76,8 @@ def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
 
 def there(band: Mapping[str, NDArray[Any]]) -> Mask:
     """Mask of the computed cells of a band, (rows, columns)."""
-    return band["regime"] != NOT_COMPUTED
+    mask: Mask = band["regime"] != NOT_COMPUTED
+    return mask
 
 
 def label_codes(regime: Integers, impacts: Integers, period: Integers, **_: object) -> Integers:
@@ -88,13 +89,15 @@ def label_codes(regime: Integers, impacts: Integers, period: Integers, **_: obje
 def has_lasting_force(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> Mask:
     """Mask of the cells of two bands with equal labels that have comparable forces, (rows, columns)."""
     lasts = (a["regime"] == PERIODIC) | (a["regime"] == SUSTAINED_CONTACT)
-    return lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
+    mask: Mask = lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
+    return mask
 
 
 def force_difference(ratio: Reals, scale: float = 1.0) -> Reals:
     """|B - A| over the larger of both, from the ratio B/A divided by `scale`, (n,)."""
     ratio = ratio / scale
-    return np.abs(ratio - 1) / np.maximum(ratio, 1)
+    values: Reals = np.abs(ratio - 1) / np.maximum(ratio, 1)
+    return values
 
 
 def text(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> str:
@@ -115,7 +118,7 @@ def text(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> str
     return "\n".join(lines + _force_lines(comparison))
 
 
-def _force_lines(comparison):
+def _force_lines(comparison: Comparison) -> list[str]:
     ratio = comparison.force_ratio
     if not len(ratio):
         return ["No peak force to compare."]
@@ -138,18 +141,18 @@ def change(ratio: float) -> str:
 def differing_keys(first: PeterkaFile, second: PeterkaFile, is_whole: bool = True) -> list[str]:
     """A line for each key in which the jobs differ, with both values; empty if there is none. `is_whole`: with keys that change no cell,
     and with the name of a key that is known by words beside them."""
-    jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
-    if None in jobs:
+    a, b = (_keys(file.data.attribute("job")) for file in (first, second))
+    if a is None or b is None:
         return []
-    keys = [key for key in dict.fromkeys([*jobs[0], *jobs[1]]) if jobs[0].get(key) != jobs[1].get(key)]
+    keys = [key for key in dict.fromkeys([*a, *b]) if a.get(key) != b.get(key)]
     if not is_whole:
         keys = [key for key in keys if key.partition(".")[0] not in OF_A_RUN]
-    lines = [f"{_called(key, is_whole)}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
+    lines = [f"{_called(key, is_whole)}: {_value(a, key)} in A, {_value(b, key)} in B" for key in keys if key not in UNTOLD]
     more = len(lines) - MOST_KEYS
     return lines if more <= 0 else [*lines[:MOST_KEYS], f"and {more} more keys"]
 
 
-def _called(key, has_key):
+def _called(key: str, has_key: bool) -> str:
     """A key of a job with its words and its unit, if these are known: "stop damping (N s/m), contact.damping_ns_per_m"."""
     words = label(key.replace(".", "_"))
     if words == key.replace(".", "_"):
@@ -157,7 +160,7 @@ def _called(key, has_key):
     return without_symbol(words) + f", {key}" * has_key
 
 
-def _keys(text):
+def _keys(text: object) -> dict[str, Any] | None:
     """{table.key: value} of a job's resolved text; None if it is not valid."""
     try:
         return _flat(tomllib.loads(text)) if isinstance(text, str) and len(text) < LONGEST_JOB else None
@@ -165,21 +168,21 @@ def _keys(text):
         return None
 
 
-def _flat(table, path=""):
-    keys = {}
+def _flat(table: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+    keys: dict[str, Any] = {}
     for name, value in table.items():
         keys |= _flat(value, f"{path}{name}.") if isinstance(value, dict) else {path + name: value}
     return keys
 
 
-def _value(job, key):
+def _value(job: Mapping[str, Any], key: str) -> str:
     if key not in job:
         return "nothing"
     value = job[key]
     return f"{value:,.15g}" if isinstance(value, float) else harmless(str(value), LONGEST_VALUE)
 
 
-def _moves(codes_a, codes_b):
+def _moves(codes_a: Integers, codes_b: Integers) -> Counter[tuple[str, str]]:
     pairs, counts = np.unique(np.stack([codes_a, codes_b]), axis=1, return_counts=True)
     return Counter({(name_of_code(a), name_of_code(b)): int(count) for (a, b), count in zip(pairs.T, counts)})
 
@@ -191,7 +194,7 @@ def name_of_code(code: int) -> str:
     return f"{(code - _ORBIT) >> 32}/{(code - _ORBIT) & 0xFFFFFFFF}"
 
 
-def _percent(count, total):
+def _percent(count: float, total: float) -> str:
     return f"{100 * count / total:>10.3f} %"
 
 

@@ -4,16 +4,23 @@ Cells with the same label and a lasting force are coloured by B's force over A's
 equal; in the grey palette from light to dark. Other cells have a flat colour. A block of a reduced picture shows its largest difference.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+from numpy.typing import NDArray
 
+from ..arrays import Integers, Reals, ma
 from ..plotting import axes, style, units
-from .field_map import scale_colours, without_value
+from .common_plane import CommonPlane
 from .comparison import NAMES, Comparison, differing_keys, has_lasting_force, label_codes, there
+from .field_map import scale_colours, without_value
 from .map_file import PeterkaFile
-from .reduce import LIMIT, block_size, largest, with_edges
+from .reduce import LIMIT, Reduced, block_size, largest, with_edges
 
 WIDTH = 3.7  # in
 MOST = 99  # % of the cells' differences lie within the scale
@@ -45,21 +52,21 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=has_forces)
     axes.show_classes(ax, reduced, looks, MISSING)
     if has_forces:
-        image = np.ma.masked_where(reduced.image != SAME, np.ma.masked_invalid(np.concatenate(ratios)))
+        image = ma.masked_where(reduced.image != SAME, ma.masked_invalid(np.concatenate(ratios)))
         _draw_ratios(figure, ax, bar_ax, reduced, image, comparison.force_ratio)
     axes.label_axes(ax, plane)
     axes.write_title(figure, first, "\n".join(_words(first, second, plane)))
     return figure
 
 
-def _words(first, second, plane):
+def _words(first: PeterkaFile, second: PeterkaFile, plane: CommonPlane) -> list[str]:
     """Below A's title: B's title, if different, the files, and the differing keys."""
     title = [second.title] if second.title != first.title else []
     return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second, is_whole=False),
             *filter(None, [plane.in_words])]
 
 
-def _draw_ratios(figure, ax, bar_ax, reduced, image, ratio):
+def _draw_ratios(figure: Figure, ax: Axes, bar_ax: Axes, reduced: Reduced, image: Reals, ratio: Reals) -> None:
     logarithm = np.abs(np.log(ratio))
     span = float(np.clip(np.exp(np.percentile(logarithm, MOST)), LEAST_SPAN, WIDEST_SPAN))
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, image, cmap=scale_colours() if style.is_grey() else FORCE_COLOURS, norm=LogNorm(1 / span, span),
@@ -73,16 +80,17 @@ def _draw_ratios(figure, ax, bar_ax, reduced, image, ratio):
     bar_ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.3f}" if span < 1.1 else f"{value:.2f}"))
 
 
-def _farthest(ratio, block):
+def _farthest(ratio: Reals, block: int) -> Reals:
     """For each block, the ratio farthest from 1; NaN where it has none."""
     if block == 1:
         return ratio
     logarithm = np.log(ratio)
     up, down = largest(logarithm, block), -largest(-logarithm, block)
-    return np.exp(np.where(up >= -down, up, down))
+    values: Reals = np.exp(np.where(up >= -down, up, down))
+    return values
 
 
-def _kinds(a, b):
+def _kinds(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> tuple[Integers, Reals]:
     """A number for each cell, and B's force over A's; NaN where they are not comparable."""
     same = label_codes(**a) == label_codes(**b)
     both = there(a) & there(b)

@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..arrays import Integers
 from ..files.regimes import NOT_COMPUTED
 from ..plotting import axes
 from ..plotting.picture import picture
@@ -29,5 +30,5 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def _classify(regime, computed):
+def _classify(regime: Integers, computed: Integers) -> Integers:
     return np.where(regime == NOT_COMPUTED, MISSING, np.where(computed == 0, FILLED, COMPUTED))

@@ -4,8 +4,10 @@ and the special points on them.
 
 import tomllib
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL
@@ -31,8 +33,8 @@ class Curve:
     kind: str
     impacts: int
     period: int
-    columns: np.ndarray
-    rows: np.ndarray
+    columns: Reals
+    rows: Reals
 
 
 @dataclass(frozen=True)
@@ -61,10 +63,10 @@ class UnstableBranch:
     gap_ratio: float
     impacts: int
     period: int
-    frequency_ratio: np.ndarray
-    force: np.ndarray
-    stroboscopic_displacement: np.ndarray
-    impact_displacement: np.ndarray
+    frequency_ratio: Reals
+    force: Reals
+    stroboscopic_displacement: Reals
+    impact_displacement: Reals
 
 
 @dataclass(frozen=True)
@@ -147,7 +149,7 @@ class CurvesFile(PeterkaFile):
             raise self.refusal("has a crossing of no curve or place")
         return [Crossing(self.curves[number], float(x), float(y)) for number, x, y in zip(numbers, frequencies, gaps)]
 
-    def _unstable_branches(self):
+    def _unstable_branches(self) -> list[UnstableBranch]:
         axes = self._frequency_and_gap()
         if axes is None:
             return []
@@ -166,26 +168,28 @@ class CurvesFile(PeterkaFile):
                                *(samples[part] for samples in displacements))
                 for gap, p, q, part in zip(gaps, impacts, periods, parts)]
 
-    def _frequency_and_gap(self):
+    def _frequency_and_gap(self) -> tuple[Axis, Axis] | None:
         """The axes required for comparison with a frequency sweep; None if the plane has others."""
         by_name = {axis.name: axis for axis in (self.columns, self.rows)}
         return (by_name["frequency_ratio"], by_name["gap_ratio"]) if by_name.keys() == {"frequency_ratio", "gap_ratio"} else None
 
-    def _along(self, prefix, axis, shape=None):
+    def _along(self, prefix: str, axis: Axis, shape: tuple[int, ...] | None = None) -> Reals:
         """Positions on an axis, in its units."""
         return self._column(f"{prefix}_{axis.stored}", REAL, shape) / axis.unit
 
-    def _samples(self, name, points):
+    def _samples(self, name: str, points: int) -> Reals:
         found = self.data.dataset(name, None, REAL).shape
         if len(found) != 2 or found[0] != points or not 1 <= found[1] <= MAX_SAMPLES or points * found[1] > MAX_POINTS:
             raise self.refusal(f"has {name} of shape {found}")
-        return self.data.values(name, slice(None))
+        values: Reals = self.data.values(name, slice(None))
+        return values
 
-    def _column(self, name, numbers, shape=None):
+    def _column(self, name: str, numbers: str, shape: tuple[int, ...] | None = None) -> NDArray[Any]:
         found = self.data.dataset(name, shape, numbers).shape
         if len(found) != 1 or not 1 <= found[0] <= MAX_POINTS:
             raise self.refusal(f"has {name} of shape {found}; 1 to {MAX_POINTS} can be drawn")
-        return self.data.values(name, slice(None))
+        values: NDArray[Any] = self.data.values(name, slice(None))
+        return values
 
 
 def within(lines: Lines, columns: Axis, rows: Axis) -> tuple[list[Curve], list[Special]]:

@@ -4,10 +4,14 @@ Folds are solid, period doublings dashed, grazings dotted; letters mark the spec
 longest curves are labelled with z = p/q of the orbit on the stable side, or no impact.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Reals
 from ..files.regimes import NAMES, NO_IMPACT
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX
@@ -54,7 +58,7 @@ def draw_over_map_of(file: PeterkaFile, ax: Axes | None = None, *, curves: Lines
     return _draw(file, lines, ax, over="") if lines.curves else None
 
 
-def _draw(file, lines, ax, over=None):
+def _draw(file: PeterkaFile, lines: Lines, ax: Axes | None, over: str | None = None) -> Axes:
     """`over`: what the map is beneath the curves, before its name; None for curves alone."""
     over_map = over is not None
     reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
@@ -80,41 +84,43 @@ def _draw(file, lines, ax, over=None):
     return ax
 
 
-def _look(kind, over_map):
+def _look(kind: str, over_map: bool) -> dict[str, Any]:
     effects = {"path_effects": axes.outline(1.8)} if over_map else {}
     return LOOKS[kind] | {"color": COLOURS[kind]} | effects
 
 
-def _pixels(ax, x, y):
+def _pixels(ax: Axes, x: Reals | float, y: Reals | float) -> Reals:
     """Pixels (..., 2) of data values."""
-    return ax.transData.transform(np.stack([x, y], axis=-1))
+    values: Reals = ax.transData.transform(np.stack([x, y], axis=-1))
+    return values
 
 
-def _draw_dots(ax, lines):
+def _draw_dots(ax: Axes, lines: Lines) -> list[tuple[Reals, set[str]]]:
     """A dot at each special point; those that would overlap share one. Returns the groups of points that share their letters:
     (points (n, 2) in pixels, kinds) each."""
     size = np.array([ax.bbox.width, ax.bbox.height])
-    dots: list[np.ndarray] = []
-    groups: list[tuple[list[np.ndarray], set[str]]] = []
+    dots: list[Reals] = []
+    groups: list[tuple[list[Reals], set[str]]] = []
     for special in lines.specials:
         place = _pixels(ax, special.column, special.row)
         if not any(_is_near(place, dot, SAME_DOT * size) for dot in dots):
             dots.append(place)
             ax.plot(special.column, special.row, marker=".", markersize=3, color="black", markeredgecolor="white", markeredgewidth=0.3,
                     linestyle="none", gid=SEEN)
-        points, kinds = next((group for group in groups if _is_near(place, group[0][0], TOGETHER * size)), ([], set()))
-        if not points:
-            groups.append((points, kinds))
-        points.append(place)
-        kinds.add(special.kind)
+        near = next((group for group in groups if _is_near(place, group[0][0], TOGETHER * size)), None)
+        if near is None:
+            near = [], set()
+            groups.append(near)
+        near[0].append(place)
+        near[1].add(special.kind)
     return [(np.array(points), kinds) for points, kinds in groups]
 
 
-def _is_near(place, other, distance):
+def _is_near(place: Reals, other: Reals, distance: Reals) -> bool:
     return float(np.hypot(*((place - other) / distance))) < 1
 
 
-def _write_names(ax, lines, ways):
+def _write_names(ax: Axes, lines: Lines, ways: Sequence[Reals]) -> None:
     """Writes the motion's name on each of the longest curves, as near to its middle as it has room; `ways`: those of the curves."""
     lengths = [float(np.sum(np.hypot(*np.diff(way, axis=0).T))) for way in ways]
     for number in np.argsort(lengths, kind="stable")[::-1][:MOST_NAMES]:
@@ -122,7 +128,7 @@ def _write_names(ax, lines, ways):
         write_on(ax, ways[number], name_of(curve.impacts, curve.period), 6, COLOURS[curve.kind])
 
 
-def _write_letters(ax, groups, ways):
+def _write_letters(ax: Axes, groups: Sequence[tuple[Reals, set[str]]], ways: Sequence[Reals]) -> None:
     """Writes letters once per group of close points: beside it on the side with the fewest lines, or farther away with a line to it."""
     for points, kinds in groups:
         write_at_group(ax, points, "".join(letter for kind, (letter, _) in LETTERS.items() if kind in kinds), 6, np.concatenate(ways))

@@ -32,11 +32,11 @@ def read_lines(path: Path, file: OpenedFile) -> Lines:
                  [Special(special.kind, special.row, special.column) for special in lines.specials])
 
 
-def _axes(file):
+def _axes(file: PeterkaFile) -> str:
     return f"{called(file, file.columns)} and {called(file, file.rows)}"
 
 
-def _is_same_place(first, second):
+def _is_same_place(first: PeterkaFile, second: PeterkaFile) -> bool:
     """Whether the frequency and the gap that all cells share are the same."""
     for name in ("frequency_ratio", "gap_ratio"):
         one, other = first.number(name), second.number(name)
@@ -47,7 +47,7 @@ def _is_same_place(first, second):
     return True
 
 
-def _place(file):
+def _place(file: PeterkaFile) -> object:
     """That table of the job; none where the axes vary both."""
     text = file.data.attribute("job")
     return tomllib.loads(text if isinstance(text, str) else "").get("operating_point")

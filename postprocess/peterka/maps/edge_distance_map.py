@@ -3,20 +3,24 @@
 The magnitude of the drift in either direction; the file has its sign. A block of a reduced map shows its smallest distance.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..arrays import Integers, ma
 from ..plotting import axes, style
 from ..plotting.coordinates import label
 from ..plotting.picture import picture
 from .curves_file import EDGE_KINDS, CurvesFile
 from .field_map import scale_colours, without_value
-from .reduce import LIMIT, block_size, class_picture, with_edges
+from .map_file import Axis
+from .reduce import LIMIT, Reduced, block_size, class_picture, with_edges
 
 WIDTH = 3.7  # in
 TOP = 99.5  # percentile at which the scale ends
 # For each axis: its name in words, and the factor from its ratio to Hz or mm.
-SIDES = {
+SIDES: dict[str, tuple[str, str, str, Callable[[CurvesFile], float | None]]] = {
     "frequency_ratio": ("frequency", r"\Omega/\omega", "Hz", lambda file: file.positive("natural_frequency_hz")),
     "gap_ratio": ("gap", "gap/A_0", "mm", lambda file: (file.positive("cart_amplitude_m") or 0) * 1000),
 }
@@ -41,7 +45,7 @@ def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
     handles = [axes.legend_patch(text, look) for (text, *_), look, count in list(zip(CLASSES, looks, counts))[1:] if count]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, looks, len(CLASSES))
-    shown = np.ma.masked_invalid(reduced.image) * (factor or 1)
+    shown = ma.masked_invalid(reduced.image) * (factor or 1)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, shown, cmap=scale_colours(), vmin=0,
                          vmax=float(np.percentile(shown.compressed(), TOP)) or 1, rasterized=True)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max")
@@ -60,7 +64,7 @@ def has(file: CurvesFile, side: str) -> bool:
     return file.has_edge_distance and {"columns": names[0], "rows": names[1]}[side] not in SIDES
 
 
-def _scale(file, side):
+def _scale(file: CurvesFile, side: str) -> tuple[float | None, str]:
     """The factor from stored numbers, and the label of the scale."""
     if side not in SIDES:
         return 1.0, f"drift to the nearest edge: {label(side)}"
@@ -69,13 +73,13 @@ def _scale(file, side):
     return factor, f"drift of the {word} to the nearest edge ({unit})" if factor else f"drift of ${ratio}$ to the nearest edge"
 
 
-def _class_of(kind):
+def _class_of(kind: Integers) -> Integers:
     """Indices into CLASSES."""
     return np.select([(kind >= 0) & (kind < EDGE_KINDS.index("none")), kind == EDGE_KINDS.index("none"),
                       kind == EDGE_KINDS.index("unknown")], [0, 1, 2], 3)
 
 
-def _smallest(file, axis):
+def _smallest(file: CurvesFile, axis: Axis) -> Reduced:
     name = f"edge_distance_{axis.stored}"
     block, pieces = block_size(file.shape, LIMIT), []
     for _, band in file.bands(["regime", name], block):

@@ -6,22 +6,26 @@ each number is known, by its product with the number's relative standard deviati
 has the same colour in every picture. A block of a reduced map shows what is farthest from 0, or the commonest number.
 """
 
+import math
 import re
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
-from ..arrays import Integers, Reals
+from ..arrays import Integers, Reals, ma
 from ..files.coordinates import RATIOS, unit_of
 from ..files.job_numbers import number_of, tables_of
 from ..files.regimes import NOT_COMPUTED, PERIODIC
 from ..plotting import axes, style
 from ..plotting.coordinates import label
+from ..plotting.fills import Fill
 from ..plotting.picture import picture
 from .field_map import scale_colours, without_value
 from .map_file import PeterkaFile
-from .reduce import LIMIT, block_size, class_picture, largest, with_edges
+from .reduce import LIMIT, Reduced, block_size, class_picture, largest, with_edges
 
 WIDTH = 3.7  # in
 TOP = 95.0  # percentile of the sizes at which the scale ends: near folds they have no bound
@@ -70,7 +74,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | No
     colours = scale_colours() if style.is_grey() else COLOURS
     low, high = -top if low is None else low, top if high is None else high
     farthest = max(abs(low), abs(high))  # 0 is white whatever the limits
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=colours,
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=colours,
                          vmin=-farthest, vmax=farthest, rasterized=True)
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if sizes.max() > top else "neither")
@@ -98,7 +102,7 @@ def draw_most(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     words = [spoken(number) for number in numbers] + [text for text, *_ in OTHERS]
     if any(not np.all(np.isfinite(weight)) for weight in weights.values()):
         words[len(numbers)] += ", or an uncertain number is 0"
-    order = sorted(range(len(numbers)), key=lambda n: -counts[n]) + [len(numbers), len(numbers) + 1]
+    order = sorted(range(len(numbers)), key=lambda n: -int(counts[n])) + [len(numbers), len(numbers) + 1]
     having = counts[:len(numbers)].sum()
     handles = [axes.legend_patch(words[n] + (f" ({axes.percent(counts[n] / having)})" if n < len(numbers) else ""), looks[n],
                                  n == len(numbers) + 1) for n in order if counts[n]]
@@ -164,7 +168,7 @@ def spoken(number: str) -> str:
     return "gap" if number == "gap_m" else re.sub(r" ?\$[^$]*\$", "", label(number)).partition(" (")[0]
 
 
-def _paths(number):
+def _paths(number: str) -> list[str]:
     """Where a job may tell how uncertain a number is."""
     if number in RATIOS:
         return [f"operating_point.{number}", f"operating_point.{RATIOS[number]}"]
@@ -172,17 +176,17 @@ def _paths(number):
     return [f"{table}.{key}"]
 
 
-def _identified(spreads, path):
+def _identified(spreads: Mapping[str, Any], path: str) -> float | None:
     """The standard deviation of a number that is identified together with others."""
-    covariance = spreads.get("covariance")
+    covariance: Any = spreads.get("covariance")
     try:
         n = covariance["of"].index(path)
-        return float(covariance["matrix"][n][n]) ** 0.5
+        return math.sqrt(covariance["matrix"][n][n])
     except (TypeError, KeyError, ValueError, IndexError):
         return None
 
 
-def _values(file, tables, path):
+def _values(file: PeterkaFile, tables: Mapping[str, Any], path: str) -> float | Reals | None:
     """The number at a path, along the axis that varies it; None if neither the axes nor the job tell it."""
     key = path.removeprefix("operating_point.").replace(".", "_")
     for axis, shape in ((file.columns, (1, -1)), (file.rows, (-1, 1))):
@@ -198,7 +202,7 @@ def _result(name: str) -> str:
     return RESULTS[name.partition("_")[0]]
 
 
-def _looks():
+def _looks() -> list[str | Fill]:
     return [without_value(colour, hatch) for _, colour, hatch in OTHERS]
 
 
@@ -206,11 +210,11 @@ def _lacking(regime: Integers, *_: Reals) -> Integers:
     return np.where(regime == NOT_COMPUTED, 1, 0)
 
 
-def _is_seen(image, n, reduced):
+def _is_seen(image: Reduced, n: int, reduced: Reduced) -> bool:
     return bool(np.any((image.image == n) & ~np.isfinite(reduced.image)))
 
 
-def _farthest_from_0(file, name):
+def _farthest_from_0(file: PeterkaFile, name: str) -> Reduced:
     block, pieces = block_size(file.shape, LIMIT), []
     for _, band in file.bands(["regime", name], block):
         values = np.where(band["regime"] == PERIODIC, band[name], np.nan)
@@ -219,7 +223,7 @@ def _farthest_from_0(file, name):
     return with_edges(file, np.concatenate(pieces), block)
 
 
-def _most(file, names, weights):
+def _most(file: PeterkaFile, names: Sequence[str], weights: Sequence[float | Reals]) -> tuple[Reduced, NDArray[np.int64]]:
     """The place in `names` of what is largest, times its weight; len(names) where nothing is, one more where nothing is computed."""
     row = 0
 
@@ -235,7 +239,7 @@ def _most(file, names, weights):
     return class_picture(file, ["regime", *names], classify, len(names) + 2)
 
 
-def _part(weight, rows):
+def _part(weight: float | Reals, rows: slice) -> float | Reals:
     """Of a weight for each row, that of these rows."""
     return weight[rows] if isinstance(weight, np.ndarray) and weight.shape[0] > 1 else weight
 

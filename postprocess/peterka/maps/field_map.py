@@ -5,17 +5,21 @@ it lies there. Cells without a value have colours outside the scale: those of th
 else two pale ones. Cells of a reduced map show the largest value in their block.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 from matplotlib.colors import ListedColormap, LogNorm, Normalize
+from matplotlib.figure import Figure
 
-from ..arrays import Integers, Mask
+from ..arrays import Integers, Mask, Reals, ma
 from ..files.regimes import CHAOTIC, PERIODIC
 from ..plotting import axes, style
-from ..plotting.classes import CLASSES, INDEX, classify
+from ..plotting.classes import CLASSES, INDEX, Class, classify
 from ..plotting.fills import Fill, fill, grey
 from ..plotting.limits import requested
 from ..plotting.notes import write_beside
@@ -23,7 +27,7 @@ from ..plotting.seen import SEEN
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from .map_file import PeterkaFile
-from .reduce import class_picture, field_picture
+from .reduce import Largest, Reduced, class_picture, field_picture
 
 WIDTH = 3.7  # in
 COLOURS = "viridis"
@@ -56,7 +60,7 @@ class Field:
     the Scale for a largest value."""
 
     dataset: str
-    carries: Callable
+    carries: Callable[..., Mask]
     apart: tuple[str, ...]
     scale: Callable[[float], Scale]
     from_zero: bool = True  # the scale begins at 0; otherwise at the smallest value
@@ -66,7 +70,8 @@ class Field:
 
 def has_impacts(regime: Integers, *_: object) -> Mask:
     """Mask of the cells of verified orbits with impacts, and of chaos."""
-    return (regime == PERIODIC) | (regime == CHAOTIC)
+    mask: Mask = (regime == PERIODIC) | (regime == CHAOTIC)
+    return mask
 
 
 def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
@@ -83,12 +88,12 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
     scale = _in_units(field.scale(peak.value))
-    shown = np.ma.masked_invalid(values.image) * scale.factor
+    shown = ma.masked_invalid(values.image) * scale.factor
     limits = requested(file, shown.compressed() / scale.factor, scale.in_si, scale.ratio)
     norm = _norm(shown, peak.value * scale.factor, field.from_zero, limits and [limit * scale.factor for limit in limits])
     if has_zero:
         _show_apart(ax, values, shown == 0)
-        shown = np.ma.masked_equal(shown, 0)
+        shown = ma.masked_equal(shown, 0)
     mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
     _draw_bar(figure, bar_ax, mesh, scale, (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
@@ -102,23 +107,23 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     return ax
 
 
-def _show_apart(ax, values, cells):
+def _show_apart(ax: Axes, values: Reduced, cells: Mask) -> None:
     """Draws these cells of an image in the look of those without a value."""
-    ax.pcolormesh(values.column_edges, values.row_edges, np.ma.masked_where(~np.ma.filled(cells, False), np.zeros(cells.shape)),
+    ax.pcolormesh(values.column_edges, values.row_edges, ma.masked_where(~ma.filled(cells, False), np.zeros(cells.shape)),
                   cmap=ListedColormap([fill(without_value(OTHER_COLOUR)).colour]), rasterized=True)
 
 
-def _colours_beneath(carried, apart):
+def _colours_beneath(carried: Sequence[bool], apart: Sequence[str]) -> list[str | Fill]:
     own = {entry.label: _apart_colour(entry) for entry in CLASSES if entry.label in apart}
     return [own.get(entry.label, _no_value_colour() if carries else without_value(OTHER_COLOUR))
             for entry, carries in zip(CLASSES, carried)]
 
 
-def _apart_colour(entry):
+def _apart_colour(entry: Class) -> str | Fill:
     return without_value(entry.colour, GREY_APART[entry.label])
 
 
-def _no_value_colour():
+def _no_value_colour() -> str | Fill:
     return without_value(NO_VALUE_COLOUR, "++")
 
 
@@ -128,7 +133,7 @@ def without_value(colour: str, hatch: str = "") -> str | Fill:
     return Fill(grey(100), hatch) if style.is_grey() else colour
 
 
-def _legend_entries(counts, carried, apart, lacking):
+def _legend_entries(counts: Integers, carried: Sequence[bool], apart: Sequence[str], lacking: int) -> list[Artist]:
     """Legend entries of the cells coloured outside the scale."""
     found = [(entry, carries) for entry, carries, count in zip(CLASSES, carried, counts) if count]
     entries = [axes.legend_patch(entry.label, _apart_colour(entry)) for entry, _ in found if entry.label in apart]
@@ -146,7 +151,7 @@ def scale_colours() -> ListedColormap | str:
     return ListedColormap([grey(light) for light in np.linspace(*GREY_SCALE, 256)]) if style.is_grey() else COLOURS
 
 
-def _in_units(scale):
+def _in_units(scale: Scale) -> Scale:
     """The scale in SI units alone or in ratios alone, if requested."""
     if scale.second is None or style.current().units == "both":
         return scale
@@ -156,28 +161,29 @@ def _in_units(scale):
     return replace(scale, label=label, factor=factor, second=None)
 
 
-def _norm(shown, peak, from_zero, limits):
+def _norm(shown: Any, peak: float, from_zero: bool, limits: Sequence[float] | None) -> Normalize:
     """Limits of the displayed values; `limits`: those requested."""
     positive = shown[shown > 0]
     logarithmic = style.current().log and positive.count() > 0
-    low, high = limits or (None, None)
-    if high is None:
+    if limits:
+        low, high = limits
+    else:
         low, high = 0.0 if from_zero else float(np.percentile(shown.compressed(), LOW_SHARE)), _top_of_scale(shown.compressed(), peak)
         low = float(positive.min()) if logarithmic else low
         high = high if high > low else low + (abs(low) or 1.0)
     return LogNorm(max(low, 1e-6 * high), high) if logarithmic and high > 0 else Normalize(low, high)
 
 
-def _top_of_scale(values, peak):
+def _top_of_scale(values: Reals, peak: float) -> float:
     top = float(np.percentile(values, TOP_SHARE))
     if peak == 0:
         return 1.0
     return top if top > 0 and peak > TOP_EXCESS * top else peak
 
 
-def _draw_bar(figure, bar_ax, mesh, scale, beyond):
+def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond: tuple[bool, bool]) -> None:
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=extend[tuple(map(bool, beyond))])
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=extend[bool(beyond[0]), bool(beyond[1])])
     if isinstance(mesh.norm, LogNorm):
         axes.number_log_scale(bar_ax.xaxis)
     bar.outline.set_linewidth(0.6)
@@ -189,7 +195,7 @@ def _draw_bar(figure, bar_ax, mesh, scale, beyond):
         second.set_xlabel(label, fontsize=8)
 
 
-def _mark(ax, file, peak, text):
+def _mark(ax: Axes, file: PeterkaFile, peak: Largest, text: str) -> None:
     """Draws a cross at the largest value, with its text beside it; of a cell cut at the border of the picture, on this border."""
     x, y = (np.clip(value, *axis.edges[[0, -1]])
             for value, axis in ((peak.column_value, file.columns), (peak.row_value, file.rows)))

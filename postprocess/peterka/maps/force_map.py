@@ -4,8 +4,11 @@ Forces are F/(m g), with a second scale in newtons if the file gives the hammer'
 force; if no cell has a force there is no picture.
 """
 
+from collections.abc import Callable
+
 from matplotlib.axes import Axes
 
+from ..arrays import Mask
 from ..files.regimes import PERIODIC
 from ..plotting import style, units
 from ..plotting.coordinates import either
@@ -30,13 +33,14 @@ def draw_all_impacts(file: PeterkaFile, ax: Axes | None = None, *, measured: Mea
     return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS, measured)
 
 
-def _draw(file, ax, carries, what, apart, measured):
+def _draw(file: PeterkaFile, ax: Axes | None, carries: Callable[..., Mask], what: str, apart: tuple[str, ...],
+          measured: Measurements) -> Axes | None:
     newtons = file.newtons if style.current().units != "ratio" else None
 
-    def text(force):
+    def text(force: float) -> str:
         return either(file, units.amount(force * newtons, "N") if newtons else "", units.number(force))
 
-    def scale(largest):
+    def scale(largest: float) -> Scale:
         label = f"peak force $F/(m\\,g)$, {what}"
         if not newtons:
             return Scale(label, 1, text, ratio=WEIGHTS)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..arrays import Integers
 from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import axes, style
 from ..plotting.fills import Fill, grey
@@ -41,7 +42,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def _classify(regime, last_impact):
+def _classify(regime: Integers, last_impact: Integers) -> Integers:
     ended = np.searchsorted(ENDS, np.maximum(last_impact, 0))
     goes_on = np.isin(regime, [PERIODIC, CHAOTIC, SUSTAINED_CONTACT])
     kinds = np.where(last_impact >= 0, ended, np.where(goes_on, GOES_ON, UNDECIDED))

@@ -10,7 +10,7 @@ maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -61,8 +61,8 @@ class Axis:
     `log`: the centres are evenly spaced in the logarithm. `stored` is the name in the file, whose numbers are `unit` times the ratios."""
 
     name: str
-    values: np.ndarray
-    edges: np.ndarray
+    values: Reals
+    edges: Reals
     log: bool
     stored: str
     unit: float = 1.0
@@ -171,12 +171,12 @@ class PeterkaFile(OpenedFile):
             self.data.dataset(name, slots + self.shape, kind)
         for name in ("attractors", "start_attractor"):
             self.data.dataset(name, self.shape, INTEGER)
-        return slots[0]
+        return int(slots[0])
 
     def _is_stacked(self, name: str) -> bool:
         return name in SLOTS or name in OUTCOMES or (name in KICKS and self.slots > 0)
 
-    def _check_quantity(self, name):
+    def _check_quantity(self, name: str) -> None:
         self.data.dataset(name, self.shape, REAL)
         unit = self.data.attribute("units", name)
         if unit not in QUANTITIES[name]:
@@ -201,7 +201,7 @@ class PeterkaFile(OpenedFile):
         said = self.data.attribute("long_name", name)
         return harmless(said, None) if isinstance(said, str) else name
 
-    def _check_values(self, columns):
+    def _check_values(self, columns: Mapping[str, NDArray[Any]]) -> None:
         check_labels(self.data, columns)
         for of in ("attractor", "outcome"):
             if f"{of}_regime" in columns:
@@ -213,7 +213,7 @@ class PeterkaFile(OpenedFile):
         if "basin_share" in columns and not np.all((columns["basin_share"] >= 0) & (columns["basin_share"] <= 1 + 1e-9)):
             raise self.refusal("has a basin_share that is no share")
         attractor = columns.get("attractor")
-        if attractor is not None and np.any((attractor < -1) | (attractor >= self.attractors.count)):
+        if attractor is not None and self.attractors is not None and np.any((attractor < -1) | (attractor >= self.attractors.count)):
             raise self.refusal("names an attractor that its table does not have")
         for name in {"chatter", "computed"} & columns.keys():
             if not np.isin(columns[name], [0, 1, NOT_COMPUTED]).all():

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from matplotlib.axes import Axes
 
+from ..arrays import Integers, Mask
 from ..files.coordinates import unit_of
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import style, units
@@ -21,12 +22,14 @@ from .field_map import WITHOUT_IMPACTS, Field, Scale
 from .map_file import PeterkaFile
 
 
-def _orbits(regime, *_):
-    return (regime == PERIODIC) | (regime == NO_IMPACT) | (regime == SUSTAINED_CONTACT)
+def _orbits(regime: Integers, *_: object) -> Mask:
+    mask: Mask = (regime == PERIODIC) | (regime == NO_IMPACT) | (regime == SUSTAINED_CONTACT)
+    return mask
 
 
-def _followed(regime, *_):
-    return (regime != FAILED) & (regime != NOT_COMPUTED)
+def _followed(regime: Integers, *_: object) -> Mask:
+    mask: Mask = (regime != FAILED) & (regime != NOT_COMPUTED)
+    return mask
 
 
 @dataclass(frozen=True)
@@ -36,7 +39,7 @@ class Number:
     is called in SI units, and such a unit with how many of it make 1 m or 1 m/s."""
 
     label: str
-    carries: Callable
+    carries: Callable[..., Mask]
     apart: tuple[str, ...]
     from_zero: bool = True
     is_force: bool = False
@@ -65,22 +68,24 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
     return field_map.draw(file, field, ax)
 
 
-def _scale(file, number, largest):
+def _scale(file: PeterkaFile, number: Number, largest: float) -> Scale:
     in_si = style.current().units == "si"
     if number.in_si:
         return _scale_of_coordinate(file, number)
     if not number.is_force:
         return Scale(number.label, 1, units.number)
     label = f"{number.label} largest force, $F/(m\\,g)$"
-    if not file.newtons:
+    newtons = file.newtons or 0.0
+    if not newtons:
         return Scale(label, 1, units.number, ratio=WEIGHTS)
-    factor, unit = units.with_prefix(largest * file.newtons, "N")
-    return Scale(label, 1, lambda force: either(file, units.amount(force * file.newtons, "N"), units.number(force)),
-                 (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", file.newtons * factor),
-                 ("N", file.newtons), WEIGHTS)
+    factor, unit = units.with_prefix(largest * newtons, "N")
+    return Scale(label, 1, lambda force: either(file, units.amount(force * newtons, "N"), units.number(force)),
+                 (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", newtons * factor),
+                 ("N", newtons), WEIGHTS)
 
 
-def _scale_of_coordinate(file, number):
+def _scale_of_coordinate(file: PeterkaFile, number: Number) -> Scale:
+    assert number.in_si is not None
     name, words, unit, factor = number.in_si
     own = unit_of(file, name)
     ratio = {"displacement_ratio": "A0", "velocity_ratio": "A0 omega"}[name]

@@ -6,8 +6,9 @@ On [rows][columns], of all draws, where no impact counts as 0: force_q05_ratio, 
 stop without a force, speed_q05, speed_q50, speed_q95 [m/s]; outcome_others, the probability of the motions that are not kept.
 """
 
+import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -54,7 +55,7 @@ def check_outcomes(data: Content, shape: tuple[int, ...], most_numbers: int) -> 
         data.dataset(name, slots + shape, kind)
     for name in quantiles(data).values():
         data.dataset(name, shape, REAL)
-    return slots[0]
+    return int(slots[0])
 
 
 def quantiles(data: Content) -> dict[int, str]:
@@ -81,16 +82,19 @@ def draws_of(file: OpenedFile) -> Draws:
 def is_class(wanted: str, regime: Integers, impacts: Integers, period: Integers) -> Mask:
     """Which of these motions are `wanted`: "impacts", of any kind, "no impact", "chaotic", or p/q."""
     if wanted == "impacts":
-        return (regime == PERIODIC) & (impacts > 0) | (regime == CHAOTIC)
-    if "/" not in wanted:
-        return regime == {"no impact": 0, "chaotic": CHAOTIC}[wanted]
-    p, q = map(int, wanted.split("/"))
-    return (regime == PERIODIC) & (impacts == p) & (period == q)
+        mask: Mask = (regime == PERIODIC) & (impacts > 0) | (regime == CHAOTIC)
+    elif "/" not in wanted:
+        mask = regime == {"no impact": 0, "chaotic": CHAOTIC}[wanted]
+    else:
+        p, q = map(int, wanted.split("/"))
+        mask = (regime == PERIODIC) & (impacts == p) & (period == q)
+    return mask
 
 
 def probability(wanted: str, regime: Integers, impacts: Integers, period: Integers, probability: Reals) -> Reals:
     """Probability of what is `wanted` in each cell, from (slots, rows, columns); of outcomes that aren't kept none counts."""
-    return np.where(is_class(wanted, regime, impacts, period), np.nan_to_num(probability), 0.0).sum(axis=0)
+    values: Reals = np.where(is_class(wanted, regime, impacts, period), np.nan_to_num(probability), 0.0).sum(axis=0)
+    return values
 
 
 def read_wanted(text: str) -> str:
@@ -106,7 +110,7 @@ def _uncertain(tables: dict[str, Any]) -> Iterator[str]:
         of, matrix = covariance.get("of", []), covariance.get("matrix", [])
         for n, key in enumerate(of):
             try:
-                yield _spread(str(key), {"standard_deviation": float(matrix[n][n]) ** 0.5})
+                yield _spread(str(key), {"standard_deviation": math.sqrt(matrix[n][n])})
             except (IndexError, TypeError, ValueError):
                 continue
         if len(of) > 1:
@@ -117,7 +121,7 @@ def _uncertain(tables: dict[str, Any]) -> Iterator[str]:
                 yield _spread(f"{table}.{key}", {name: value for name, value in spread.items() if isinstance(value, (int, float))})
 
 
-def _spread(path, spread):
+def _spread(path: str, spread: Mapping[str, float]) -> str:
     """Of one number: "stop stiffness ±3 %", a standard deviation, or from where to where it lies."""
     table, _, key = path.rpartition(".")
     name = key if table in ("", "operating_point") else f"{table}_{key}"

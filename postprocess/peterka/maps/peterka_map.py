@@ -10,12 +10,13 @@ counts as one impact. Dots are used because lines across a class look like strip
 
 import numpy as np
 from contourpy import contour_generator
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.transforms import Bbox
 
-from ..arrays import Integers
+from ..arrays import Integers, Reals
 from ..files.job_numbers import UnreadableJob, edge_of_no_impact, swing_of, tables_of
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX
@@ -24,8 +25,8 @@ from ..plotting.notes import write_near_box
 from ..plotting.picture import picture
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
-from .map_file import PeterkaFile
-from .reduce import class_picture, orbit_picture
+from .map_file import Axis, PeterkaFile
+from .reduce import Reduced, class_picture, orbit_picture
 
 WIDTH = 3.7  # in
 SMALL, MOST_SMALL, AWAY = 0.012, 8, 14  # smallest window of the picture in which a small area is named, how many are, and how far away [pt]
@@ -65,7 +66,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     return ax
 
 
-def _name_small_areas(ax, reduced, counts):
+def _name_small_areas(ax: Axes, reduced: Reduced, counts: Integers) -> None:
     """Names the areas of hatched classes that are too small for a name within, where no hatching would be legible: beside them, with a
     line to each, the commonest first."""
     written = {text.get_text() for text in ax.texts}
@@ -81,7 +82,7 @@ def _name_small_areas(ax, reduced, counts):
         write_near_box(ax, Bbox([middle - 1, middle + 1]), CLASSES[n].label, (6.5, 5), AWAY)
 
 
-def _names_to_write(counts):
+def _names_to_write(counts: Integers) -> dict[int, tuple[str, str]]:
     named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES) if counts[n] and entry.orbit}
     if counts[INDEX["no impact"]]:
         named[INDEX["no impact"]] = ("no impact", CLASSES[INDEX["no impact"]].colour)
@@ -104,18 +105,18 @@ def legend_entries(counts: Integers, observed_chaos: tuple[int, int] | None) -> 
     return orbits, regimes
 
 
-def _chatter(file):
+def _chatter(file: PeterkaFile) -> tuple[Reduced | None, list[Artist]]:
     """Reduced mask of the cells with chatter, and its legend entries; (None, []) without such cells."""
     if not file.has_chatter:
         return None, []
-    reduced, counts = class_picture(file, ["regime", "chatter"], lambda _, chatter: chatter == 1, 2)
+    reduced, counts = class_picture(file, ["regime", "chatter"], lambda _, chatter: np.isin(chatter, 1), 2)
     if not counts[1]:
         return None, []
     return reduced, [Line2D([], [], label=f"chatter ({axes.percent(counts[1] / counts.sum())})",
                             **CHATTER_LOOK | {"markersize": 3.5})]
 
 
-def _dots(reduced):
+def _dots(reduced: Reduced) -> tuple[Reals, Reals]:
     """(x, y) of one dot per block of the plane with such a cell: at the cell nearest to the block's centre."""
     shape = np.array(reduced.image.shape)
     cells = np.argwhere(reduced.image != 0)
@@ -128,7 +129,7 @@ def _dots(reduced):
     return middles[0][column], middles[1][row]
 
 
-def _edge_of_no_impact(file):
+def _edge_of_no_impact(file: PeterkaFile) -> list[Reals]:
     """The line in axes coordinates, as arrays (n, 2); [] if there is none, or the file lacks the required numbers."""
     across, up = file.columns, file.rows
     if (across.name, up.name) == ("frequency_ratio", "gap_ratio"):
@@ -144,9 +145,11 @@ def _edge_of_no_impact(file):
         room = swing_of(tables_of(file.data.attribute("job")), {across.name: x[None, :], up.name: y[:, None]}).room()
     except UnreadableJob:
         return []
-    return contour_generator(x, y, np.broadcast_to(np.maximum(room, -1e9), (len(y), len(x)))).lines(0.0)
+    found: list[Reals] = contour_generator(x, y, np.broadcast_to(np.maximum(room, -1e9), (len(y), len(x)))).lines(0.0)
+    return found
 
 
-def _along(axis, points):
+def _along(axis: Axis, points: int) -> Reals:
     low, high = axis.edges[[0, -1]]
-    return np.geomspace(low, high, points) if axis.log else np.linspace(low, high, points)
+    values: Reals = np.geomspace(low, high, points) if axis.log else np.linspace(low, high, points)
+    return values

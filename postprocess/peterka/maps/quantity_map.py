@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 from matplotlib.axes import Axes
 
+from ..arrays import Integers, Mask
 from ..files.regimes import FAILED, NOT_COMPUTED, UNRESOLVED
 from ..plotting import units
 from ..plotting.picture import picture
@@ -28,18 +29,19 @@ TITLES = {
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
     """The picture of one of file.quantities, as Axes; None if no cell has a value."""
-    carries: Callable = field_map.has_impacts
+    carries: Callable[..., Mask] = field_map.has_impacts
     apart: tuple[str, ...] = WITHOUT_IMPACTS
     if name == "max_displacement":
         carries, apart = _known, ("unresolved", "failed")
     return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(file, name, largest)), ax)
 
 
-def _known(regime, *_):
-    return (regime != UNRESOLVED) & (regime != FAILED) & (regime != NOT_COMPUTED)
+def _known(regime: Integers, *_: object) -> Mask:
+    mask: Mask = (regime != UNRESOLVED) & (regime != FAILED) & (regime != NOT_COMPUTED)
+    return mask
 
 
-def _scale(file, name, largest):
+def _scale(file: PeterkaFile, name: str, largest: float) -> Scale:
     factor, unit = units.with_prefix(largest, file.unit(name))
     title = TITLES.get(name) or file.words(name)
     return Scale(f"{title} ({unit})", factor, lambda value: units.amount(value, file.unit(name)), in_si=(file.unit(name), 1.0))

@@ -8,11 +8,12 @@ picture, whatever the size of the map.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Integers, Reals
+from ..arrays import Integers, Mask, Reals
 from ..plotting import classes
 from ..plotting.drawn import Plane
 from .map_file import PeterkaFile
@@ -25,9 +26,9 @@ class Reduced:
     """`image` (rows, columns) of the picture; `row_edges` and `column_edges`, one longer, in the units of the axes; `log`:
     whether rows and columns are logarithmically spaced."""
 
-    image: np.ndarray
-    row_edges: np.ndarray
-    column_edges: np.ndarray
+    image: NDArray[Any]
+    row_edges: Reals
+    column_edges: Reals
     log: tuple[bool, bool] = (False, False)
 
 
@@ -46,7 +47,7 @@ def block_size(shape: tuple[int, ...], limit: int = LIMIT) -> int:
     return max(1, -(-max(shape) // limit))
 
 
-def majority(labels: Integers, block: int, class_count: int) -> NDArray[np.uint8]:
+def majority(labels: Integers | Mask, block: int, class_count: int) -> NDArray[np.uint8]:
     """Most frequent label of each block: (rows, columns) of numbers below class_count to (ceil(rows/block), ...)."""
     if block == 1:
         return labels.astype(np.uint8)
@@ -54,7 +55,8 @@ def majority(labels: Integers, block: int, class_count: int) -> NDArray[np.uint8
     row, column = (np.arange(size) // block for size in labels.shape)
     place = (row[:, None] * columns + column[None, :]) * class_count + labels
     votes = np.bincount(place.ravel(), minlength=rows * columns * class_count)
-    return votes.reshape(rows, columns, class_count).argmax(axis=2).astype(np.uint8)
+    found: NDArray[np.uint8] = votes.reshape(rows, columns, class_count).argmax(axis=2).astype(np.uint8)
+    return found
 
 
 def largest(values: Reals, block: int) -> Reals:
@@ -63,7 +65,7 @@ def largest(values: Reals, block: int) -> Reals:
     return np.fmax.reduceat(np.fmax.reduceat(values, row_starts, axis=0), column_starts, axis=1)
 
 
-def class_picture(file: PeterkaFile, names: Sequence[str], classify: Callable, class_count: int,
+def class_picture(file: PeterkaFile, names: Sequence[str], classify: Callable[..., Integers | Mask], class_count: int,
                   limit: int = LIMIT) -> tuple[Reduced, NDArray[np.int64]]:
     """The classes of a file, reduced, and the number of its cells in each class, (class_count,).
 
@@ -78,7 +80,7 @@ def class_picture(file: PeterkaFile, names: Sequence[str], classify: Callable, c
     return with_edges(file, np.concatenate(pieces), block), counts
 
 
-def orbit_picture(file: PeterkaFile, names: Sequence[str], classify: Callable = classes.classify,
+def orbit_picture(file: PeterkaFile, names: Sequence[str], classify: Callable[..., Integers] = classes.classify,
                   limit: int = LIMIT) -> tuple[Reduced, NDArray[np.int64]]:
     """As class_picture, of plotting.classes.CLASSES; the p/q that are rarer than those that can be named are "other p/q"."""
     reduced, counts = class_picture(file, names, classify, len(classes.CLASSES), limit)
@@ -87,7 +89,7 @@ def orbit_picture(file: PeterkaFile, names: Sequence[str], classify: Callable = 
     return replace(reduced, image=shown[reduced.image]), together
 
 
-def field_picture(file: PeterkaFile, name: str, carries: Callable,
+def field_picture(file: PeterkaFile, name: str, carries: Callable[..., Mask],
                   limit: int = LIMIT) -> tuple[Reduced, Largest | None, int]:
     """The field `name` of the cells that carry it, reduced, NaN elsewhere; its Largest, or None without any value; and the
     number of cells that should carry it but have no finite value.

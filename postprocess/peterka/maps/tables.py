@@ -1,9 +1,12 @@
 """Checked tables that a map file may contain besides its cells: attractors of a basin, audited cells."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Integers, Mask, Reals
 from ..files.checked_hdf5 import INTEGER, REAL, Content
 from ..files.regimes import check_labels
 
@@ -15,13 +18,13 @@ MAX_SAMPLES = 2**20
 class Attractors:
     """The table of a basin file, one row per attractor; every member has shape (count,)."""
 
-    regime: np.ndarray
-    impacts: np.ndarray
-    period: np.ndarray
-    peak_force_ratio: np.ndarray  # F/(m g)
-    orbit_displacement: np.ndarray  # (x - y)/A0 at forcing phase 0
-    orbit_velocity: np.ndarray  # (x' - y')/(A0 omega) at forcing phase 0
-    cells: np.ndarray
+    regime: Integers
+    impacts: Integers
+    period: Integers
+    peak_force_ratio: Reals  # F/(m g)
+    orbit_displacement: Reals  # (x - y)/A0 at forcing phase 0
+    orbit_velocity: Reals  # (x' - y')/(A0 omega) at forcing phase 0
+    cells: Integers
 
     @property
     def count(self) -> int:
@@ -33,13 +36,13 @@ class Attractors:
 class Audit:
     """Cells of a map solved again by an independent engine; every member has shape (count,)."""
 
-    row: np.ndarray
-    column: np.ndarray
-    regime: np.ndarray  # these three: result of the audit
-    impacts: np.ndarray
-    period: np.ndarray
-    force_error: np.ndarray  # of the map's peak force relative to the audit's; NaN where not comparable
-    agrees: np.ndarray  # bool: same regime, impacts and period
+    row: Integers
+    column: Integers
+    regime: Integers  # these three: result of the audit
+    impacts: Integers
+    period: Integers
+    force_error: Reals  # of the map's peak force relative to the audit's; NaN where not comparable
+    agrees: Mask  # bool: same regime, impacts and period
 
     @property
     def count(self) -> int:
@@ -89,7 +92,8 @@ def read_audit(data: Content, shape: tuple[int, ...]) -> Audit | None:
     return Audit(**columns | {"agrees": columns["agrees"] == 1})
 
 
-def _columns(data, group, table, capacity, rows):
+def _columns(data: Content, group: str, table: type[Attractors] | type[Audit], capacity: tuple[int, ...],
+             rows: slice) -> dict[str, NDArray[Any]]:
     columns = {}
     for name in table.__dataclass_fields__:
         real = name in ("peak_force_ratio", "orbit_displacement", "orbit_velocity", "force_error")

@@ -6,7 +6,9 @@ others are commoner, count as none of the motions asked for, but as impacts: mos
 outcome is the paler the less likely it is; in grey, where lightness tells classes apart, a line alone tells where it is likely.
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -14,9 +16,10 @@ from contourpy import contour_generator
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter, minimum_filter
 
-from ..arrays import Integers, Mask
+from ..arrays import Integers, Mask, Reals, ma
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, SUSTAINED_CONTACT, UNRESOLVED
 from ..plotting import axes, style, units
 from ..plotting.classes import CLASSES, INDEX, Class, classify
@@ -54,7 +57,7 @@ def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: 
     waiting = [axes.legend_patch("not computed yet", None, hatched=True)] if file.computed < 1 else []
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [([*_line_handles(levels), *waiting], 3, None)], bar=True, ax=ax)
     axes.hatch_background(ax)
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=scale_colours(),
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=1, rasterized=True)
     axes.label_axes(ax, file)
     _draw_lines(ax, reduced, levels)
@@ -120,9 +123,9 @@ def probabilities(file: PeterkaFile, wanted: str) -> Reduced:
     """The probability of what is wanted (maps/outcomes.py) over the plane; NaN where nothing is computed."""
     counts_others = wanted == IMPACTS and file.data.has("outcome_others")
 
-    def values(regime, *slots):
-        unkept = np.nan_to_num(slots[4]) if counts_others else 0.0
-        return _computed(regime, probability(wanted, *slots[:4]) + unkept)
+    def values(regime: Integers, *slots: NDArray[Any]) -> Reals:
+        kept = probability(wanted, *slots[:4])
+        return _computed(regime, kept + np.nan_to_num(slots[4]) if counts_others else kept)
 
     return reduced_values(file, ["regime", *LABELS, *["outcome_others"] * counts_others], values, None)
 
@@ -134,11 +137,11 @@ def lines_that_draws_tell(draws: Draws) -> tuple[list[float], list[str]]:
     return told, [f"draws too few for a line at {', '.join(untold)}"] if untold else []
 
 
-def _told(file, draws, more, place=True):
+def _told(file: PeterkaFile, draws: Draws, more: Sequence[str], place: bool = True) -> str:
     return "\n".join(filter(None, [axes.operating_point(file) if place else "", draws.in_words, *more]))
 
 
-def _has_others(file, wanted):
+def _has_others(file: PeterkaFile, wanted: str) -> list[str]:
     """What a picture says of outcomes that aren't kept, none of which is likelier than the last one that is."""
     if not file.data.has("outcome_others"):
         return []
@@ -147,7 +150,7 @@ def _has_others(file, wanted):
             f"{'lower' if wanted == IMPACTS else 'higher'}"] if most > 0 else []
 
 
-def _may_be_off(wanted, band):
+def _may_be_off(wanted: str, band: Mapping[str, NDArray[Any]]) -> float:
     """By how much a probability may be off in a cell of a band, at most: the kinds asked for, or those without impacts, that aren't
     among the kept ones."""
     labels, shares, others = [band[name] for name in LABELS[:3]], band[LABELS[3]], np.nan_to_num(band["outcome_others"])
@@ -159,43 +162,45 @@ def _may_be_off(wanted, band):
     return float(np.max(np.where(band["regime"] == NOT_COMPUTED, 0.0, off), initial=0.0))
 
 
-def _commonest(file):
+def _commonest(file: PeterkaFile) -> list[str]:
     if file not in _COMMONEST:
         _COMMONEST[file] = _find_commonest(file)
     return _COMMONEST[file]
 
 
-def _find_commonest(file):
+def _find_commonest(file: PeterkaFile) -> list[str]:
     total, cells = np.zeros(len(CLASSES)), 0
     for _, band in file.bands(["regime", *OUTCOMES]):
         kinds = classify(*(band[name] for name in LABELS[:3]))
         total += np.bincount(kinds.ravel(), weights=np.nan_to_num(band[LABELS[3]]).ravel(), minlength=len(CLASSES))
         cells += int(np.sum(band["regime"] != NOT_COMPUTED))
-    names = sorted(PROBABILITIES, key=lambda name: -total[INDEX[PROBABILITIES[name]]])
+    names = sorted(PROBABILITIES, key=lambda name: -float(total[INDEX[PROBABILITIES[name]]]))
     return [name for name in names[:MOST_CLASSES] if total[INDEX[PROBABILITIES[name]]] > LEAST_SHARE * max(cells, 1)]
 
 
-def _computed(regime, values):
+def _computed(regime: Integers, values: Reals) -> Reals:
     return np.where(regime == NOT_COMPUTED, np.nan, values)
 
 
 def _is_computed(regime: Integers, *_: object) -> Mask:
-    return (regime != NOT_COMPUTED) & (regime != FAILED)
+    mask: Mask = (regime != NOT_COMPUTED) & (regime != FAILED)
+    return mask
 
 
-def _scale(file, name, largest):
+def _scale(file: PeterkaFile, name: str, largest: float) -> Scale:
     if name.startswith("speed"):
         factor, unit = units.with_prefix(largest, "m/s")
         return Scale(f"impact speed of all but {ASSURED} % of the rigs ({unit})", factor, lambda speed: units.amount(speed, "m/s"),
                      in_si=("m/s", 1.0))
     label = f"peak force of all but {ASSURED} % of the rigs, $F/(m\\,g)$"
-    if not file.newtons:
+    newtons = file.newtons or 0.0
+    if not newtons:
         return Scale(label, 1, units.number, ratio=WEIGHTS)
-    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    factor, unit = units.with_prefix(largest * newtons, "N")
     alone = style.current().units == "si"
-    return Scale(label, 1, lambda force: either(file, units.amount(force * file.newtons, "N"), units.number(force)),
-                 (f"peak force of all but {ASSURED} % of the rigs ({unit})" if alone else f"peak force ({unit})", file.newtons * factor),
-                 ("N", file.newtons), WEIGHTS)
+    return Scale(label, 1, lambda force: either(file, units.amount(force * newtons, "N"), units.number(force)),
+                 (f"peak force of all but {ASSURED} % of the rigs ({unit})" if alone else f"peak force ({unit})", newtons * factor),
+                 ("N", newtons), WEIGHTS)
 
 
 def _look_of(entry: Class) -> str | Fill:
@@ -214,7 +219,7 @@ def _with_levels(reduced: Reduced, likely: Reduced) -> tuple[Reduced, list[str |
     return replace(reduced, image=image), [paler(_look_of(entry), white) for _, white in LEVELS for entry in CLASSES]
 
 
-def _beside_lines(reduced, likely, levels):
+def _beside_lines(reduced: Reduced, likely: Reduced, levels: Sequence[float]) -> Reduced:
     """The classes of an image without cells near lines, where no name would be legible."""
     size = 1 + 2 * max(1, max(reduced.image.shape) // 25)
     near = np.zeros(reduced.image.shape, dtype=bool)
@@ -224,7 +229,7 @@ def _beside_lines(reduced, likely, levels):
     return replace(reduced, image=np.where(near, INDEX["not computed yet"], reduced.image))
 
 
-def _draw_ticks(ax, reduced, line):
+def _draw_ticks(ax: Axes, reduced: Reduced, line: Reals) -> None:
     """Ticks along a line, towards the side on which the image is larger."""
     within = ax.transScale + ax.transLimits
     places = within.transform(line)
@@ -242,7 +247,7 @@ def _draw_ticks(ax, reduced, line):
                     path_effects=axes.outline(1.6), gid=TICKS)
 
 
-def _value_at(reduced, place):
+def _value_at(reduced: Reduced, place: Sequence[float]) -> float:
     """The image at a place (column, row) in data; NaN beyond it."""
     row, column = (int(np.searchsorted(edges, value, side="right")) - 1
                    for edges, value in ((reduced.row_edges, place[1]), (reduced.column_edges, place[0])))
@@ -250,7 +255,7 @@ def _value_at(reduced, place):
     return float(reduced.image[row, column]) if 0 <= row < rows and 0 <= column < columns else np.nan
 
 
-def _level_handles(counts):
+def _level_handles(counts: Integers) -> list[Artist]:
     """Of the commonest class that has a colour."""
     if style.is_grey():
         return []
@@ -260,22 +265,22 @@ def _level_handles(counts):
     return [axes.legend_patch(text, paler(CLASSES[coloured[0]].colour, white)) for text, (_, white) in zip(words, LEVELS)]
 
 
-def _line_handles(levels, more=""):
+def _line_handles(levels: Sequence[float], more: str = "") -> list[Artist]:
     return [Line2D([], [], label=", ".join(filter(None, [f"probability {level:g}", more])), **_look(level)) for level in levels]
 
 
-def _look(level):
+def _look(level: float) -> dict[str, Any]:
     return {"color": "black", "linewidth": 0.9, "linestyle": LINES[level]}
 
 
-def _draw_lines(ax, reduced, levels, has_ticks=False):
+def _draw_lines(ax: Axes, reduced: Reduced, levels: Sequence[float], has_ticks: bool = False) -> None:
     """`has_ticks`: whether lines have short ticks towards the side of the larger probability."""
     if min(reduced.image.shape) < 2:
         return
     x, y = (np.sqrt(edges[1:] * edges[:-1]) if log else (edges[1:] + edges[:-1]) / 2
             for edges, log in ((reduced.column_edges, reduced.log[1]), (reduced.row_edges, reduced.log[0])))
     limits = ax.get_xlim(), ax.get_ylim()
-    lines = contour_generator(x, y, np.ma.masked_invalid(reduced.image))
+    lines = contour_generator(x, y, ma.masked_invalid(reduced.image))
     cell = np.array([np.ptp(values) / (len(values) - 1) for values in (x, y)])
     for level in levels:
         for line in lines.lines(level):

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..files.regimes import NAMES, NOT_COMPUTED, NO_IMPACT, PERIODIC
-from ..plotting.drawn import Plane
+from ..plotting.drawn import Plane, PlaneAxis
 from . import tables
 from .matches import Known, Match, Place, around, distance, matches
 from .points import AXES, Point
@@ -41,7 +41,7 @@ def table(file: Map, found: list[list[Match]]) -> list[str]:
         1.0 if "frequency_hz" in along else file.positive("natural_frequency_hz"), metres and 1000 * metres, file.newtons))
 
 
-def _places(file, point):
+def _places(file: Map, point: Point) -> list[Place]:
     """The cells between whose centres a point lies: four, or fewer at the border or on a line through centres."""
     places = []
     for row, upward in around(file.rows.values, _along(point, file.rows)):
@@ -53,15 +53,16 @@ def _places(file, point):
     return places
 
 
-def _beyond(file, point):
+def _beyond(file: Map, point: Point) -> tuple[float, float]:
     """Distance of a point beyond the outermost cell centres, (frequency, gap)."""
     away = {AXES[axis.name]: distance(_along(point, axis), np.clip(_along(point, axis), *axis.values[[0, -1]]))
             for axis in (file.rows, file.columns)}
     return away["frequency"], away["gap"]
 
 
-def _along(point, axis):
-    return getattr(point, AXES[axis.name])
+def _along(point: Point, axis: PlaneAxis) -> float:
+    value: float = getattr(point, AXES[axis.name])
+    return value
 
 
 def known_of_cell(cell: dict[str, Any]) -> list[Known]:

@@ -74,7 +74,7 @@ def name(ax: Axes, points: Sequence[Point], quantities: Sequence[str], size: flo
             write_at(ax, x, y, point.label, size)
 
 
-def _quantities(file):
+def _quantities(file: Plane) -> list[str]:
     return [AXES[axis.name] for axis in (file.columns, file.rows)]
 
 

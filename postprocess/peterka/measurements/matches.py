@@ -4,9 +4,10 @@ A motion common to all of these places is interpolated linearly in each coordina
 nearest of them, and its distance is reported.
 """
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ..arrays import Reals
 from .points import Point
 
 ONE_BRANCH = 0.2  # neighbouring forces that differ by a larger share of the larger one may be on different branches
@@ -19,7 +20,7 @@ class Known:
     ending in it, None if the file does not give it; `directions` are those of the branches that follow it. Places share the
     motion if its `key` is equal and, unless it certainly `goes_on`, the forces are similar."""
 
-    key: Hashable
+    key: str | tuple[int, int | None]
     words: str
     force: float
     share: float | None = None
@@ -77,7 +78,7 @@ def matches(point: Point, places: Sequence[Place], beyond: tuple[float, float] =
     return sorted(found, key=lambda match: abs(match.residual))
 
 
-def _taken(others, motion):
+def _taken(others: list[Known], motion: Known) -> Known | None:
     """The same motion among those of another place; None without one."""
     same = [one for one in others if one.key == motion.key]
     nearest = min(same, key=lambda one: abs(one.force - motion.force), default=None)
@@ -92,7 +93,7 @@ def distance(first: float, second: float) -> float:
     return 0.0 if abs(first - second) <= ROUNDING * max(abs(first), abs(second)) else abs(first - second)
 
 
-def around(values: Sequence[float], x: float) -> list[tuple[int, float]]:
+def around(values: Sequence[float] | Reals, x: float) -> list[tuple[int, float]]:
     """[(index, weight)] of the ascending numbers on both sides of x, or of the one equal to x or, outside, nearest to it."""
     after = next((number for number, value in enumerate(values) if value >= x), len(values))
     if after in (0, len(values)):

@@ -18,14 +18,17 @@ A point with a frequency alone is a mark on the frequency axis of a sweep. Lines
 """
 
 from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Literal, Protocol, TypeGuard
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
-from ..files.csv_table import read_csv_table
+from ..files.csv_table import CsvTable, read_csv_table
 from ..files.harmless import harmless
 from ..files.opened import OpenedFile
+from ..plotting.drawn import InUnits, Plane
 
 QUANTITIES = ("frequency", "force", "displacement", "gap")
 UNITS = {"frequency": "hz", "force": "n", "displacement": "mm", "gap": "mm"}
@@ -38,6 +41,7 @@ MOST_SERIES = 24  # so many marks can be told apart
 SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
 SAME_END = 1e-9  # relative: 15 Hz as a ratio has other last bits
 SAME_PLACE = 1e-6  # and these, in A0, are but for rounding
+_Scale = tuple[float | None, float | None]  # of a ratio and of an SI-like unit in the numbers of the file
 AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # over which points lie
 
 
@@ -70,48 +74,71 @@ class Measurements:
 NOTHING_MEASURED = Measurements([], [])
 
 
+class _Sweep(InUnits, Protocol):
+    """What is asked of a sweep here."""
+
+    axis_name: str
+    gap_name: str
+    values: Reals
+
+    @property
+    def gaps(self) -> list[float | None]: ...
+
+
+def _is_sweep(file: OpenedFile) -> TypeGuard[_Sweep]:
+    return file.kind == "sweep"
+
+
+def _is_map(file: OpenedFile) -> TypeGuard[Plane]:
+    return file.kind == "map"
+
+
 def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     """The points of a CSV file that belong to this sweep or map, in its numbers. Raises PeterkaFileError for an unusable file."""
     _check_axes(file)
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
     _check_names(table)
-    scales = _scales(path, file, table.names)
-    points, other_rigs, other_gaps, outside = [], 0, [], 0
+    scales, metres = _scales(path, file, table.names), _metres(file)
+    points: list[Point] = []
+    other_gaps: list[str] = []
+    other_rigs, outside = 0, 0
     moved: dict[float, list[float]] = {}  # for each gap: the distances by which points were moved
     for line, cells in table.rows:
         numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
         point = _point(table, line, cells, numbers, scales)
         if _is_of_another_rig(numbers.get("natural_frequency_hz"), file):
             other_rigs += 1
-        elif file.kind == "map":
+        elif _is_map(file):
             inside = _lies_inside(table, line, point, file)
             points += [point] * inside
             outside += not inside
-        elif not _lies_along(point, file):
-            outside += 1
-        else:
+        elif _is_sweep(file) and lies_between(file.values, point.frequency):
             gap = _gap(table, line, point.gap, file)
             if gap is False:
-                other_gaps.append(_gap_words(file, point.gap))
+                assert point.gap is not None
+                other_gaps.append(_gap_words(metres, point.gap))
             else:
                 points.append(replace(point, gap=gap))
-                if gap is not None and abs(point.gap - gap) > SAME_PLACE:
+                if gap is not None and point.gap is not None and abs(point.gap - gap) > SAME_PLACE:
                     moved.setdefault(gap, []).append(abs(point.gap - gap))
+        else:
+            outside += 1
     left_out = [_left_out(path, other_rigs, "of rigs with another natural frequency")] * (other_rigs > 0)
     where = "map" if file.kind == "map" else "frequencies of the sweep"
     left_out += [_left_out(path, outside, f"outside the {where}")] * (outside > 0)
-    left_out += [f"{path}: {_points(len(distances), 'is drawn', 'are drawn')} at {_gap_words(file, gap)}, "
-                 f"{'up to ' * (len(distances) > 1)}{_length(file, max(distances))} from the measured gap" for gap, distances in moved.items()]
+    left_out += [f"{path}: {_points(len(distances), 'is drawn', 'are drawn')} at {_gap_words(metres, gap)}, "
+                 f"{'up to ' * (len(distances) > 1)}{_length(metres, max(distances))} from the measured gap"
+                 for gap, distances in moved.items()]
     if other_gaps:
         left_out.append(_left_out(path, len(other_gaps), f"at {', '.join(dict.fromkeys(other_gaps))}") + "; the sweep has no such gap")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
 
 
-def _left_out(path, count, which):
+def _left_out(path: Path, count: int, which: str) -> str:
     return f"{path}: {_points(count, f'{which} is', f'{which} are')} left out"
 
 
-def _points(count, of_one, of_many):
+def _points(count: int, of_one: str, of_many: str) -> str:
     return f"1 point {of_one}" if count == 1 else f"{count} points {of_many}"
 
 
@@ -121,18 +148,19 @@ def lies_between(values: Reals, x: float) -> bool:
     return bool(values[0] - slack <= x <= values[-1] + slack)
 
 
-def _check_axes(file):
-    if file.kind == "sweep":
+def _check_axes(file: OpenedFile) -> None:
+    path = file.path
+    if _is_sweep(file):
         if AXES.get(file.axis_name) != "frequency":
-            raise PeterkaFileError(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequencies")
-    elif file.kind != "map":
-        raise PeterkaFileError(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep or a map")
+            raise PeterkaFileError(f"{path} runs over {file.axis_name}; measured points are drawn over frequencies")
+    elif not _is_map(file):
+        raise PeterkaFileError(f"{path} is of kind {file.kind}; measured points are drawn over a sweep or a map")
     elif {AXES.get(axis.name) for axis in (file.rows, file.columns)} != {"frequency", "gap"}:
-        raise PeterkaFileError(f"{file.path} runs over {file.columns.name} and {file.rows.name}; measured points are drawn over "
+        raise PeterkaFileError(f"{path} runs over {file.columns.name} and {file.rows.name}; measured points are drawn over "
                           "frequencies and gaps")
 
 
-def _check_names(table):
+def _check_names(table: CsvTable) -> None:
     both = [pair for pair in (*PAIRS.values(), *ERRORS.values()) if set(pair) <= set(table.names)]
     if both:
         raise table.refusal(f"has {' and '.join(both[0])}; each quantity has one column")
@@ -140,12 +168,12 @@ def _check_names(table):
         raise table.refusal("has no column frequency_hz or frequency_ratio; every point needs a frequency")
 
 
-def _scales(path, file, names):
+def _scales(path: Path, file: OpenedFile, names: Sequence[str]) -> dict[str, _Scale]:
     """For each quantity: the values of a ratio of 1 and of an SI-like unit in the numbers of the file."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    along = (file.axis_name,) if file.kind == "sweep" else (file.rows.name, file.columns.name)
+    along = [file.axis_name] if _is_sweep(file) else [file.rows.name, file.columns.name] if _is_map(file) else []
     of_ratio = {"frequency": hertz, "force": file.newtons, "displacement": metres and 1000 * metres, "gap": metres and 1000 * metres}
-    scales = {quantity: (1.0, 1 / factor if factor else None) for quantity, factor in of_ratio.items()}
+    scales: dict[str, _Scale] = {quantity: (1.0, 1 / factor if factor else None) for quantity, factor in of_ratio.items()}
     if "frequency_hz" in along:
         scales["frequency"] = hertz, 1.0
     if "gap_m" in along:
@@ -158,63 +186,63 @@ def _scales(path, file, names):
     return scales
 
 
-def _point(table, line, cells, numbers, scales):
+def _point(table: CsvTable, line: int, cells: Mapping[str, str], numbers: Mapping[str, float | None],
+           scales: Mapping[str, _Scale]) -> Point:
     """The point with its own gap, not yet matched to the file's."""
     ratios = {name: _scaled(numbers, PAIRS[name], scales[name]) for name in QUANTITIES}
     errors = {name: _scaled(numbers, ERRORS[name], scales[name]) for name in QUANTITIES}
-    if ratios["frequency"] is None or not ratios["frequency"] > 0:
+    frequency = ratios["frequency"]
+    if frequency is None or not frequency > 0:
         raise table.refusal("has no frequency above 0; every point needs one", line)
     for name, error in errors.items():
         if error is not None and error < 0:
             raise table.refusal(f"has a standard error of {name} below 0", line)
     text = {name: harmless((cells.get(name) or "").strip(), MAX_LABEL) for name in ("label", "series")}
-    return Point(ratios["frequency"], ratios["force"], ratios["displacement"], ratios["gap"], text["label"], text["series"],
+    return Point(frequency, ratios["force"], ratios["displacement"], ratios["gap"], text["label"], text["series"],
                  {name: error for name, error in errors.items() if error and ratios[name] is not None})
 
 
-def _scaled(numbers, pair, scale):
-    return next((numbers[name] * factor for name, factor in zip(pair, scale) if numbers.get(name) is not None), None)
+def _scaled(numbers: Mapping[str, float | None], pair: tuple[str, str], scale: _Scale) -> float | None:
+    return next((number * factor for name, factor in zip(pair, scale) if factor is not None and (number := numbers.get(name)) is not None),
+                None)
 
 
-def _is_of_another_rig(hertz, file):
+def _is_of_another_rig(hertz: float | None, file: OpenedFile) -> bool:
     own = file.positive("natural_frequency_hz")
     return hertz is not None and own is not None and abs(hertz / own - 1) > SAME
 
 
-def _lies_inside(table, line, point, file):
+def _lies_inside(table: CsvTable, line: int, point: Point, file: Plane) -> bool:
     if point.gap is None:
         raise table.refusal("has no gap, and a map has all of them; add gap_mm or gap_ratio", line)
     return all(axis.edges[0] <= getattr(point, AXES[axis.name]) <= axis.edges[-1] for axis in (file.columns, file.rows))
 
 
-def _lies_along(point, file):
-    return lies_between(file.values, point.frequency)
-
-
-def _gap(table, line, gap, file):
+def _gap(table: CsvTable, line: int, gap: float | None, file: _Sweep) -> float | Literal[False] | None:
     """The sweep's gap; None for a point of all gaps, False for a gap not in the sweep."""
-    if gap is None:
-        if len(file.gaps) > 1:
-            raise table.refusal(f"has no gap, and the sweep has {len(file.gaps)} of them; add gap_mm or gap_ratio", line)
+    if gap is None and len(file.gaps) > 1:
+        raise table.refusal(f"has no gap, and the sweep has {len(file.gaps)} of them; add gap_mm or gap_ratio", line)
+    away = {own: abs(own - gap) for own in file.gaps if own is not None} if gap is not None else {}
+    if not away:  # or the sweep doesn't tell its own
         return None
-    nearest = min(file.gaps, key=lambda own: abs(own - gap))
-    return nearest if abs(nearest - gap) < SAME else False
+    nearest = min(away, key=lambda own: away[own])
+    return nearest if away[nearest] < SAME else False
 
 
-def _gap_words(file, gap):
-    return f"{'gap' if _metres(file) else 'gap/A0'} {_length(file, gap)}"
+def _gap_words(metres: float | None, gap: float) -> str:
+    return f"{'gap' if metres else 'gap/A0'} {_length(metres, gap)}"
 
 
-def _length(file, gap):
-    metres = _metres(file)
+def _length(metres: float | None, gap: float) -> str:
     return f"{1000 * gap * metres:.4g} mm" if metres else f"{gap:.4g}"
 
 
-def _metres(file):
-    return 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
+def _metres(file: OpenedFile) -> float | None:
+    """1 m in the numbers of a sweep's gaps."""
+    return 1.0 if _is_sweep(file) and file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
 
 
-def _with_series(points):
+def _with_series(points: Sequence[Point]) -> list[Point]:
     """A label shared by several points without a series becomes their series and is shown in the legend."""
     count = Counter(point.label for point in points)
     shared = {label for label, times in count.items() if label and times > 1}
@@ -222,7 +250,7 @@ def _with_series(points):
             for point in points]
 
 
-def _with_few_names(path, measured):
+def _with_few_names(path: Path, measured: Measurements) -> Measurements:
     points, left_out = list(measured.points), list(measured.left_out)
     labelled = [number for number, point in enumerate(points) if point.label]
     if len(labelled) > MOST_LABELS:

@@ -44,12 +44,13 @@ def name_of(point: Point) -> str:
     return ", ".join(filter(None, (point.series, point.label)))
 
 
-def _of_point(point, units):
+def _of_point(point: Point, units: Units) -> tuple[str, ...]:
+    assert point.force is not None
     return (f"{point.frequency * (units.hertz or 1):.5g}", "" if point.gap is None else f"{point.gap * (units.millimetres or 1):.4g}",
             f"{point.force * (units.newtons or 1):.4g}")
 
 
-def _of_motion(match, units):
+def _of_motion(match: Match, units: Units) -> tuple[str, ...]:
     error = match.point.errors.get("force")
     share = match.motion.share
     return (match.motion.title, "" if share is None else f"{100 * share:.3g} %", f"{match.force * (units.newtons or 1):.4g}",
@@ -58,7 +59,7 @@ def _of_motion(match, units):
             f"{match.residual / error:+.1f} s.e." if error else "", _where(match.away, units))
 
 
-def _where(away, units):
+def _where(away: tuple[float, float] | None, units: Units) -> str:
     if away is None or not any(away):
         return "the point"
     frequency, gap = away

@@ -12,10 +12,14 @@ slot in which the job's own start ends, -1 for none of them. Admitted starts:
 Only orbits with impacts count: the largest observed force of chaos is not reliable.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Integers, Mask, Reals
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.regimes import NOT_COMPUTED, PERIODIC, check_labels
 from ..maps.comparison import label_codes
@@ -45,9 +49,9 @@ class Admitted:
     """On [rows][columns]: `code` of the regime (label_codes; NO_REGIME if there is no single one), the worst `value` [as
     stored; NaN if the file lacks it], and the `share` of the starts that end in it (1 for `job`)."""
 
-    code: np.ndarray
-    value: np.ndarray
-    share: np.ndarray
+    code: Integers
+    value: Reals
+    share: Reals
 
 
 def quantity_of(file: PeterkaFile, name: str) -> Quantity:
@@ -81,11 +85,11 @@ def read_code(code: int) -> tuple[int, int]:
     return orbit >> 32, orbit & 0xFFFFFFFF
 
 
-def _names(name):
+def _names(name: str) -> list[str]:
     return list(dict.fromkeys(["regime", "impacts", "period", "peak_force_ratio", QUANTITIES[name]]))
 
 
-def _check_slots(file):
+def _check_slots(file: PeterkaFile) -> int:
     if not has_starts(file):
         raise file.refusal("was computed from one start alone; compute it with [starts], or ask for --starts job")
     shape = file.data.dataset("basin_share", None, REAL).shape
@@ -97,10 +101,11 @@ def _check_slots(file):
     for dataset in QUANTITIES.values():
         if file.data.has(f"attractor_{dataset}"):
             file.data.dataset(f"attractor_{dataset}", shape, REAL)
-    return shape[0]
+    return int(shape[0])
 
 
-def _band(file, first, band, starts, name, slots):
+def _band(file: PeterkaFile, first: int, band: Mapping[str, NDArray[Any]], starts: str | float, name: str,
+          slots: int) -> tuple[Integers, Reals, Reals]:
     own = label_codes(band["regime"], band["impacts"], band["period"])
     value = band[QUANTITIES[name]]
     if starts == JOB:
@@ -115,7 +120,7 @@ def _band(file, first, band, starts, name, slots):
     check_labels(file.data, {"regime": regime, "impacts": impacts, "period": period})
     used = (regime != NOT_COMPUTED) & ((shares > 0) | (starts == ANY))
     codes = np.where(_strikes(regime, impacts) & used, label_codes(regime, impacts, period), NO_REGIME)
-    least = 1.0 if starts == ANY else starts
+    least = 1.0 if starts == ANY else float(starts)
     code, share = _common(codes, shares, least - ROUNDING)
     if starts == ANY:
         code = np.where((used & (codes != code)).any(axis=0), NO_REGIME, code)
@@ -128,11 +133,12 @@ def _band(file, first, band, starts, name, slots):
     return code, worst, share
 
 
-def _strikes(regime, impacts):
-    return (regime == PERIODIC) & (impacts > 0)
+def _strikes(regime: Integers, impacts: Integers) -> Mask:
+    mask: Mask = (regime == PERIODIC) & (impacts > 0)
+    return mask
 
 
-def _common(codes, shares, least):
+def _common(codes: Integers, shares: Reals, least: float) -> tuple[Integers, Reals]:
     """The code shared by at least this share of the starts, NO_REGIME if there is none, and its share."""
     code, share = np.full(codes.shape[1:], NO_REGIME, dtype=np.int64), np.zeros(codes.shape[1:])
     for slot in range(len(codes)):
@@ -142,7 +148,8 @@ def _common(codes, shares, least):
     return code, share
 
 
-def _worst(file, dataset, stored, here, own, index):
+def _worst(file: PeterkaFile, dataset: str, stored: Mapping[str, NDArray[Any]], here: Mask, own: tuple[Reals, Integers],
+           index: tuple[slice, slice]) -> Reals:
     """The smallest value over the selected slots; NaN if the file lacks one of them."""
     if dataset == "peak_force_ratio":
         values = stored["attractor_peak_force_ratio"]

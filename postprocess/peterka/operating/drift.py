@@ -6,11 +6,12 @@ beyond the map have no value, because the outside is not computed.
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
-from ..arrays import Mask, Reals
+from ..arrays import Integers, Mask, Reals
 from ..files.coordinates import SPOKEN, TWINS, Measured, measured
 from ..files.opened import OpenedFile
 from ..maps.map_file import Axis
@@ -25,14 +26,15 @@ class Reach:
     (n,), and whether it lies `inside` the map, (n,)."""
 
     width: float
-    before: np.ndarray
-    after: np.ndarray
-    inside: np.ndarray
+    before: Integers
+    after: Integers
+    inside: Mask
 
     def meets(self, at: int) -> Mask:
         """Whether the box of each cell overlaps that of the cell `at`, (n,)."""
         here = np.arange(len(self.before))
-        return (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
+        mask: Mask = (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
+        return mask
 
     def ends(self, values: Reals, at: int) -> tuple[float, float]:
         """From where to where the cells of the box of the cell `at` lie, by the axis' `values`."""
@@ -66,17 +68,17 @@ def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:
 def worst_of_boxes(admitted: Admitted, rows: Reach, columns: Reach, codes: Collection[int] | None = None) -> Reals:
     """The worst value over the box around each cell, (rows, columns); NaN if its regime is not unique or not in `codes`."""
     labels, number = np.unique(admitted.code, return_inverse=True)
-    number = number.reshape(admitted.code.shape).astype(float)
+    numbers: Reals = number.reshape(admitted.code.shape).astype(float)
     sound = (admitted.code != NO_REGIME) & np.isfinite(admitted.value)
     if codes is not None:
         sound &= np.isin(admitted.code, list(codes))
     worst = over_box(np.where(sound, admitted.value, -np.inf), rows, columns, minimum_filter1d)
-    lowest, highest = (over_box(number, rows, columns, each) for each in (minimum_filter1d, maximum_filter1d))
+    lowest, highest = (over_box(numbers, rows, columns, each) for each in (minimum_filter1d, maximum_filter1d))
     inside = rows.inside[:, None] & columns.inside[None, :]
     return np.where(inside & (lowest == highest) & np.isfinite(worst), worst, np.nan)
 
 
-def over_box(values: Reals, rows: Reach, columns: Reach, filtered: Callable) -> Reals:
+def over_box(values: Reals, rows: Reach, columns: Reach, filtered: Callable[..., Reals]) -> Reals:
     """A filter over the box around each cell, separable: along the rows, then along the columns, for each box size that occurs."""
     values = np.asarray(values, dtype=float)  # scipy's filters know no half precision
     for axis, along in ((0, rows), (1, columns)):
@@ -85,7 +87,7 @@ def over_box(values: Reals, rows: Reach, columns: Reach, filtered: Callable) -> 
             size = before + after + 1
             taken = filtered(values, size, axis=axis, mode="nearest", origin=before - size // 2)
             places = np.flatnonzero((along.before == before) & (along.after == after))
-            index = (places, slice(None)) if axis == 0 else (slice(None), places)
+            index: Any = (places, slice(None)) if axis == 0 else (slice(None), places)
             wide[index] = taken[index]
         values = wide
     return values

@@ -7,13 +7,14 @@ to end of the drift, and the worst of these counts. The draws of a low-discrepan
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from ..files.job_numbers import tables_of
-from ..maps.map_file import PeterkaFile
+from ..maps.map_file import Axis, PeterkaFile
 from ..maps.outcomes import draws_of, quantiles
 from ..plotting import units
 from .admitted import Quantity
@@ -66,17 +67,20 @@ def text_of(found: Fresh, place: Place, risk: float, quantity: Quantity) -> str:
             f"{100 * assured(risk, found.rigs):.3g} %, in 19 cases of 20")
 
 
-def _uncertain_of_place(file):
+def _uncertain_of_place(file: PeterkaFile) -> set[str]:
     """Which of "frequency" and "gap" the job has uncertain, by itself or with other numbers."""
     uncertain = tables_of(file.data.attribute("job"))["uncertainty"]
     keys = [*uncertain.get("operating_point", {}), *(str(key).removeprefix("operating_point.") for key in uncertain.get("covariance", {}).get("of", []))]
     return {key.partition("_")[0] for key in keys}
 
 
-def _offsets(file, drift):
+def _offsets(file: PeterkaFile, drift: Sequence[float]) -> tuple[dict[str, float], str, dict[str, float]]:
     """{key of the job: end of an offset} of a drift along the axes in Hz and mm, its words, and {axis: half-width in its own numbers} of
     those that are uncertain in the job."""
-    own, changes, words, widths = _uncertain_of_place(file), {}, [], {}
+    own = _uncertain_of_place(file)
+    changes: dict[str, float] = {}
+    words: list[str] = []
+    widths: dict[str, float] = {}
     for axis in (file.columns, file.rows):
         unit = unit_of(file, axis.name)
         if unit is None:
@@ -93,7 +97,7 @@ def _offsets(file, drift):
     return changes, f"at places of their own ({', '.join(words)})" if words else "at this place", widths
 
 
-def _along(axis, width, at):
+def _along(axis: Axis, width: float, at: int) -> tuple[float, float, int]:
     """(from, to, points) along an axis, in the numbers of the job: PLACES of them over a width, otherwise the place alone."""
     if not width > 0:
         return finer(axis, 0.0, at)

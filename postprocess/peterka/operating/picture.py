@@ -3,10 +3,13 @@
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.transforms import Bbox
 
-from ..arrays import Reals
+from ..arrays import Reals, ma
 from ..plotting import axes, style, units
 from ..plotting.notes import write_near_box
 from ..plotting.seen import SEEN
@@ -36,7 +39,7 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     axes.hatch_background(ax)
     _show_computed(ax, file, block)
     factor, unit = units.with_prefix(quantity.factor * max(place.worst for place in places), quantity.unit)
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image) * quantity.factor * factor,
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image) * quantity.factor * factor,
                          cmap=scale_colours(), vmin=0, vmax=quantity.factor * factor * places[0].worst, rasterized=True)
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
@@ -48,11 +51,11 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     return figure
 
 
-def _show_computed(ax, file, block):
+def _show_computed(ax: Axes, file: PeterkaFile, block: int) -> None:
     """Draws a pale background under all computed cells."""
     pieces = [largest(np.where(band["regime"] < 0, np.nan, 0.0), block) for _, band in file.bands(["regime"], block)]
     ground = with_edges(file, np.concatenate(pieces), block)
-    ax.pcolormesh(ground.column_edges, ground.row_edges, np.ma.masked_invalid(ground.image), cmap=axes.ListedColormap([_nothing()]),
+    ax.pcolormesh(ground.column_edges, ground.row_edges, ma.masked_invalid(ground.image), cmap=ListedColormap([_nothing()]),
                   rasterized=True)
 
 
@@ -60,7 +63,7 @@ def _nothing() -> str:
     return "#FFFFFF" if style.is_grey() else NOTHING  # which the scale hasn't
 
 
-def _mark(ax, file, places, rows, columns, quantity):
+def _mark(ax: Axes, file: PeterkaFile, places: Sequence[Place], rows: Reach, columns: Reach, quantity: Quantity) -> None:
     boxes = []
     for number, place in reversed(list(enumerate(places, 1))):
         (left, right), (low, high) = columns.ends(file.columns.values, place.column), rows.ends(file.rows.values, place.row)
@@ -80,7 +83,7 @@ def _mark(ax, file, places, rows, columns, quantity):
             write_near_box(ax, extent, str(number), (6.5, 5))
 
 
-def _number_within(ax, box, number):
+def _number_within(ax: Axes, box: Bbox, number: str) -> None:
     """Writes a number into its box where it is smaller than that."""
     middle = ax.transAxes.inverted().transform((box.min + box.max) / 2)
     text = ax.text(*middle, number, transform=ax.transAxes, ha="center", va="center", fontsize=6.5, path_effects=axes.outline(1.6), zorder=6,

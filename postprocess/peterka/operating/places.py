@@ -51,8 +51,8 @@ def best_places(worst: Reals, admitted: Admitted, rows: Reach, columns: Reach, m
     return found
 
 
-def _middle_of_best(values):
+def _middle_of_best(values: Reals) -> int:
     """The middle one of several equally good neighbours: they share the worst cell of their boxes."""
     best = np.argwhere(values == values.max())
     away = np.abs(best - np.median(best, axis=0)).sum(axis=1)
-    return np.ravel_multi_index(tuple(best[np.argmin(away)]), values.shape)
+    return int(np.ravel_multi_index(tuple(best[np.argmin(away)]), values.shape))

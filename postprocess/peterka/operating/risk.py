@@ -63,7 +63,7 @@ def with_motions(file: PeterkaFile, places: Collection[Place], rows: Reach, colu
     return [_with_motion(file, place, box_of(place, rows, columns)) for place in places]
 
 
-def _with_motion(file, place, box):
+def _with_motion(file: PeterkaFile, place: Place, box: tuple[slice, slice]) -> Place:
     regime, impacts, period, shares = (file.data.values(name, (slice(None), box[0]))[:, :, box[1]] for name in OUTCOMES)
     row, column = place.row - box[0].start, place.column - box[1].start
     code = int(label_codes(regime, impacts, period)[0, row, column])

@@ -3,6 +3,7 @@ starts a question requires.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -111,7 +112,7 @@ def text_of_proof(file: PeterkaFile) -> str:
     return f"by proof: nowhere within the drift, nor between the cells there, can the hammer swing without impact (closed form{springs})"
 
 
-def _tables(file):
+def _tables(file: PeterkaFile) -> dict[str, Any]:
     try:
         return job_numbers.tables_of(file.data.attribute("job"))
     except job_numbers.UnreadableJob as error:

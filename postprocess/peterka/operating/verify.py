@@ -4,9 +4,10 @@ import os
 import re
 import subprocess
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -103,7 +104,7 @@ def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity
             f"{in_words(file, file.rows, found.at[0], 6)}")
 
 
-def _tables(table, path):
+def _tables(table: Mapping[str, Any], path: str) -> Iterator[str]:
     for name, value in table.items():
         if isinstance(value, dict):
             if "points" in value:
@@ -112,7 +113,7 @@ def _tables(table, path):
                 yield from _tables(value, f"{path}.{name}")
 
 
-def _coordinate(path):
+def _coordinate(path: str) -> str:
     """The file's name of a job axis: axes.contact.damping_ns_per_m is contact_damping_ns_per_m."""
     return "_".join(path.split(".")[1:])
 
@@ -125,10 +126,11 @@ def finer(axis: Axis, width: float, at: int) -> tuple[float, float, int]:
     return (axis.values[at] - width) * axis.unit, (axis.values[at] + width) * axis.unit, points
 
 
-def _run(job, box, sizes, more, file, ranks, binary):
+def _run(job: Path, box: Path, sizes: Mapping[str, tuple[float, float, int]], more: Mapping[str, object], file: PeterkaFile, ranks: int,
+         binary: Path | None) -> None:
     program = Path(binary or os.environ.get("PETERKA_BINARY") or BINARY)
     launcher = [] if ranks == 1 else [os.environ.get("MPIEXEC", "mpirun"), "-n", str(ranks)]
-    changes = {"audit.cells": 0, "refine.levels": 0, **more}
+    changes: dict[str, object] = {"audit.cells": 0, "refine.levels": 0, **more}
     for path, (first, last, points) in sizes.items():
         changes |= {f"{path}.from": repr(float(first)), f"{path}.to": repr(float(last)), f"{path}.points": points,
                     f"{path}.scale": "linear"}

@@ -4,9 +4,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..arrays import Reals
 from ..plotting import units
 from ..plotting.coordinates import in_words, spoken
-from ..maps.map_file import PeterkaFile
+from ..maps.map_file import Axis, PeterkaFile
 from .admitted import ANY, JOB, Quantity
 from .drift import Reach, unit_of
 from .places import Place
@@ -84,16 +85,17 @@ def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapp
     return [*lines, "  there, from the job's own start: " + ", ".join(there)]
 
 
-def _span(numbers, unit):
+def _span(numbers: Reals, unit: str) -> str:
     low, high = (f"{number:.3g}" for number in (numbers.min(), numbers.max()))
     return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
 
 
-def _head(file, axis):
+def _head(file: PeterkaFile, axis: Axis) -> str:
     unit = spoken(file, axis.name)
     return f"{unit.what} [{unit.unit}]" if unit else axis.name
 
 
-def _number(file, axis, at):
+def _number(file: PeterkaFile, axis: Axis, at: int) -> float:
     unit = spoken(file, axis.name)
-    return axis.values[at] * (unit.factor if unit else 1.0)
+    value: float = axis.values[at] * (unit.factor if unit else 1.0)
+    return value

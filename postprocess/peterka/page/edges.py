@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Reals
 from ..maps.curves_file import CurvesFile
 from ..maps.curves_map import COLOURS, LETTERS, LOOKS, WORDS
 
@@ -32,12 +33,12 @@ def edges(file: CurvesFile, keep: Callable[[bytes], int]) -> dict[str, Any]:
     }
 
 
-def _dash(kind):
+def _dash(kind: str) -> list[float]:
     """Lengths of dashes and gaps in line widths; empty for a solid line."""
-    style = LOOKS[kind]["linestyle"]
+    style: Any = LOOKS[kind]["linestyle"]
     return [] if style == "-" else list(style[1])
 
 
-def _packed(values, keep):
+def _packed(values: Reals, keep: Callable[[bytes], int]) -> dict[str, Any]:
     description, packed = planes.reals(values)
     return {"plane": description, "blob": keep(packed)}

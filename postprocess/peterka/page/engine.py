@@ -7,7 +7,9 @@ import re
 import shutil
 import subprocess
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from ..files.coordinates import TWINS, unit_of
 from ..files.job_axes import axes_of_job
@@ -62,11 +64,11 @@ def version() -> str:
     return installed.stem.removeprefix("engine-")[:8] if installed else "none"
 
 
-def _cached(cache):
+def _cached(cache: Path | None) -> Path:
     return (cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))) / f"engine-{_fingerprint()}.wasm"
 
 
-def _installed():
+def _installed() -> Path | None:
     """The path of an engine that was installed with this package or with the program on the PATH; None without one."""
     program = shutil.which("peterka")
     beside = Path(program).resolve().parents[1:2] if program else []
@@ -76,7 +78,7 @@ def _installed():
     return None
 
 
-def _build(built):
+def _build(built: Path) -> None:
     try:
         built.parent.mkdir(parents=True, exist_ok=True)
         outcome = subprocess.run([SCRIPT, built], capture_output=True, text=True, check=False)
@@ -91,14 +93,14 @@ def _build(built):
             old.unlink(missing_ok=True)
 
 
-def _fingerprint():
+def _fingerprint() -> str:
     digest = hashlib.sha256()
     for path in sorted(_made_of()):
         digest.update(str(path.relative_to(SOURCE)).encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
 
 
-def _made_of():
+def _made_of() -> set[Path]:
     """The set of all files of src on which the module depends: its sources, their includes, and the build script."""
     patterns = (SOURCE / "engine_sources.txt").read_text(encoding="utf-8").split()
     waiting = {path for pattern in patterns if not pattern.startswith("!") for path in SOURCE.glob(pattern)}
@@ -155,7 +157,7 @@ def numbers_of_axis(file: OpenedFile, name: str) -> tuple[str, list[str]]:
     return sets, GIVE_WAY.get(sets, [])
 
 
-def _place(file, job):
+def _place(file: OpenedFile, job: Mapping[str, Any]) -> dict[str, float | None]:
     """Frequency, gap and start as ratios, whichever unit the job uses; in SI units if their ratio varies from cell to cell."""
     numbers = {}
     for table, names in PLACE.items():
@@ -168,11 +170,11 @@ def _place(file, job):
     return {name: None if value is None else float(value) for name, value in numbers.items()}
 
 
-def _set_by_axes(file):
+def _set_by_axes(file: OpenedFile) -> set[str]:
     return {numbers_of_axis(file, name)[0] for name in axes_of_job(file.data.attribute("job"))}
 
 
-def _numbers(job):
+def _numbers(job: Mapping[str, Any]) -> dict[str, float | None]:
     """The numbers of a cell except its place; None for those not given or set by an axis."""
     hammer, contact, solver = job["hammer"], job["contact"], job["solver"]
     names = LAWS[contact["law"]]

@@ -4,13 +4,15 @@ A map of up to EXACT_CELLS cells has every dataset on its cells, exactly. For a 
 included unless others are requested, and real numbers are shortened to fit into `room` bytes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
+from numpy.typing import NDArray
 
+from ..arrays import Integers, Reals
 from ..errors import PeterkaFileError
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.coordinates import SPOKEN
@@ -41,7 +43,7 @@ def labels(file: PeterkaFile, every: int) -> tuple[dict[str, Any], bytes]:
     return numbered_labels(file, {name: np.concatenate([band[name] for band in bands]) for name in LABELS})
 
 
-def numbered_labels(file: OpenedFile, cells: dict[str, np.ndarray]) -> tuple[dict[str, Any], bytes]:
+def numbered_labels(file: OpenedFile, cells: dict[str, NDArray[Any]]) -> tuple[dict[str, Any], bytes]:
     """({"table": [[regime, p, q, class], ...], "shown": [displayed class of each class], ...}, bytes): each cell's label as
     an index into the table. `cells`: {dataset: (rows, columns)} of LABELS."""
     key = _key(cells)
@@ -80,7 +82,7 @@ def scale(name: str) -> list[str]:
     return [to_hex(colour) for colour in colormaps[name](np.linspace(0, 1, 256))]
 
 
-def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: int = 0) -> tuple[dict[str, Any], bytes]:
+def layer(file: OpenedFile, dataset: str, name: str, values: NDArray[Any], room: int = 0) -> tuple[dict[str, Any], bytes]:
     """({description}, bytes) of values of a dataset, (rows, columns), under a name: exact, or shortened to fit into `room` bytes."""
     description: dict[str, Any] = {
         "name": name,
@@ -106,12 +108,13 @@ def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: i
 def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:
     """The shape; None if it is not a dataset of numbers."""
     try:
-        return file.data.dataset(name, None, INTEGER + REAL).shape
+        shape: tuple[int, ...] = file.data.dataset(name, None, INTEGER + REAL).shape
     except PeterkaFileError:
         return None
+    return shape
 
 
-def _title(dataset, slot=""):
+def _title(dataset: str, slot: str = "") -> str:
     """In words, and without the unit, which is told beside it. `slot`: "[0]" of the first of several, or ""."""
     if dataset == "outcome_probability":  # its slots are in order
         return "probability of the commonest outcome" if slot == "[0]" else f"probability of outcome {int(slot[1:-1]) + 1}"
@@ -120,7 +123,7 @@ def _title(dataset, slot=""):
     return TITLES.get(dataset, name.replace("_", " ")) + slot.replace("[", " ").replace("]", "")
 
 
-def _shortened(values, room):
+def _shortened(values: Reals, room: int) -> tuple[dict[str, Any], bytes]:
     for bits in planes.SHORT_BITS:
         plane, packed = planes.short_reals(values, bits)
         if len(packed) <= room:
@@ -128,14 +131,14 @@ def _shortened(values, room):
     return plane, packed
 
 
-def _words(file, dataset):
+def _words(file: OpenedFile, dataset: str) -> dict[str, Any]:
     try:
         return {"words": {str(number): word for number, word in file.data.words(dataset).items()}}
     except PeterkaFileError:
         return {}
 
 
-def _span(values):
+def _span(values: NDArray[Any]) -> dict[str, float]:
     finite = values[np.isfinite(values)] if values.dtype.kind in REAL else values[values > -128]
     if not finite.size:
         return {"low": 0.0, "top": 1.0}
@@ -144,12 +147,12 @@ def _span(values):
     return {"low": min(0.0, float(finite.min())), "top": top if top > 0 else 1.0}
 
 
-def _key(band):
+def _key(band: Mapping[str, Integers]) -> Integers:
     regime, impacts, period = (band[name].astype(np.int64) for name in LABELS)
     return ((regime + 128) << 48) | (np.clip(impacts, 0, 0xFFFFFF) << 24) | np.clip(period, 0, 0xFFFFFF)
 
 
-def _bands(file, names, every):
+def _bands(file: PeterkaFile, names: Iterable[str], every: int) -> Iterator[dict[str, NDArray[Any]]]:
     """Checked bands of rows, keeping every `every`-th row and column."""
     for _, band in file.bands(list(names), every):
         yield {name: values[::every, ::every] for name, values in band.items()}

@@ -6,16 +6,18 @@ import html
 import json
 import re
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Any
 
+from ..files.opened import OpenedFile
 from ..plotting import classes
 from ..plotting.axes import si_scale
 from ..plotting.coordinates import IN_MILLIMETRES, label
 from ..maps import basin_map, elasticity_map, field_map
 from ..maps.curves_file import CurvesFile
-from ..maps.map_file import PeterkaFile, axis_of
+from ..maps.map_file import Axis, PeterkaFile, axis_of
 from ..sweeps.sweep_file import SweepFile
 
 from . import edges, layers, tracks
@@ -52,7 +54,9 @@ def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | N
     content["shades"] = [[weight, {"white": 255, "black": 0}[towards]] for weight, towards in basin_map.SHADES]
     content["no_value"] = field_map.NO_VALUE_COLOUR
     content["apart"] = [*field_map.WITHOUT_IMPACTS, "not computed yet"]
-    for key, find in (("cell", lambda: cell_numbers(file)), ("engine", lambda: _keep(blobs, zlib.compress(module(), 9)))):
+    parts: list[tuple[str, Callable[[], object]]] = [
+        ("cell", lambda: cell_numbers(file)), ("engine", lambda: _keep(blobs, zlib.compress(module(), 9)))]
+    for key, find in parts:
         try:
             content[key] = find()
         except NoEngine as reason:
@@ -62,7 +66,7 @@ def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | N
     return _filled(content, blobs, file.title), notes
 
 
-def _header(file, every):
+def _header(file: OpenedFile, every: int) -> dict[str, Any]:
     attribute = file.data.attribute
     return {
         "title": file.title,
@@ -83,7 +87,7 @@ def _header(file, every):
     }
 
 
-def _of_cells(file, every, asked, blobs):
+def _of_cells(file: PeterkaFile, every: int, asked: Sequence[str] | None, blobs: list[str]) -> dict[str, Any]:
     labels, packed = layers.labels(file, every)
     return {
         "rows": _axis(file, file.rows, every),
@@ -93,7 +97,7 @@ def _of_cells(file, every, asked, blobs):
     }
 
 
-def _of_sweep(file, asked, blobs):
+def _of_sweep(file: SweepFile, asked: Sequence[str] | None, blobs: list[str]) -> dict[str, Any]:
     """`gap`: the coordinate with a value per track; None if it is the axis, or varies from point to point."""
     keep = partial(_keep, blobs)
     labels, packed = tracks.labels(file)
@@ -107,11 +111,11 @@ def _of_sweep(file, asked, blobs):
     }
 
 
-def _axis(file, axis, every=1):
+def _axis(file: OpenedFile, axis: Axis, every: int = 1) -> dict[str, Any]:
     return _coordinate(file, axis.name) | {"log": axis.log, "values": axis.values[::every].tolist()}
 
 
-def _coordinate(file, name):
+def _coordinate(file: OpenedFile, name: str) -> dict[str, Any]:
     """`factor`: from the values to `unit`, None if the file does not give it; `sets`, `clears`: numbers of a cell (engine.py)."""
     symbol, about, unit = AXES.get(name) or _plain_words(name)
     scale = si_scale(file, name)
@@ -120,7 +124,7 @@ def _coordinate(file, name):
     return {"name": name, "symbol": symbol, "about": about, "unit": unit, "factor": factor, "sets": sets, "clears": clears}
 
 
-def _plain_words(name):
+def _plain_words(name: str) -> tuple[str, str, str]:
     """(symbol, about, unit) of any other axis, from its label in pictures, without mathematics."""
     words = label(name).replace("$x", "x$").replace(r"$\dot{x}", "ẋ$")
     words = re.sub(r" ?\$[^$]*\$", "", words).strip() or name
@@ -129,7 +133,7 @@ def _plain_words(name):
     return words, about, "mm" if millimetres else unit.rstrip(")")
 
 
-def _layers(file, every, asked, room, blobs):
+def _layers(file: PeterkaFile, every: int, asked: Sequence[str] | None, room: int, blobs: list[str]) -> list[dict[str, Any]]:
     kept = []
     for name in layers.datasets(file, asked):
         for description, packed in layers.layers_of(file, name, every, room) or _no_layer(file, name, asked):
@@ -138,18 +142,18 @@ def _layers(file, every, asked, room, blobs):
     return kept
 
 
-def _no_layer(file, name, asked):
+def _no_layer(file: OpenedFile, name: str, asked: Sequence[str] | None) -> list[tuple[dict[str, Any], bytes]]:
     if asked is not None:
         raise file.refusal(f"has no number of each cell named {name}")
     return []
 
 
-def _keep(blobs, packed):
+def _keep(blobs: list[str], packed: bytes) -> int:
     blobs.append(base64.b64encode(packed).decode("ascii"))
     return len(blobs) - 1
 
 
-def _filled(content, blobs, title):
+def _filled(content: Mapping[str, Any], blobs: Sequence[str], title: str) -> str:
     parts = {
         "title": html.escape(title),
         "style": (FOLDER / "page.css").read_text(),
@@ -164,10 +168,10 @@ def _filled(content, blobs, title):
     return text
 
 
-def _inert(text):
+def _inert(text: str) -> str:
     """JSON in which nothing can terminate the enclosing script element."""
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
-def _scripts(names):
+def _scripts(names: Iterable[str]) -> str:
     return "\n".join((FOLDER / name).read_text() for name in names)

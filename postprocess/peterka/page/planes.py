@@ -9,8 +9,9 @@ import zlib
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..arrays import Integers, Reals
+from ..arrays import Integers, Mask, Reals
 
 EXACT = 52  # bits of a mantissa
 SHORT_BITS = (20, 18, 16, 14, 12, 10, 8)  # of shortened numbers: six digits down to two
@@ -49,12 +50,12 @@ def short_reals(values: Reals, bits: int) -> tuple[dict[str, Any], bytes]:
     return {"as": "short", "bits": bits, "digits": int(bits * np.log10(2))}, packed
 
 
-def _carried_on(values, valid):
+def _carried_on(values: NDArray[np.uint32], valid: Mask) -> NDArray[np.uint32]:
     """Each row with invalid entries replaced by the last valid one before them; 0 if there is none."""
     place = np.where(valid, np.arange(values.shape[1]), -1)
     last = np.maximum.accumulate(place, axis=1)
     return np.where(last >= 0, np.take_along_axis(values, np.maximum(last, 0), axis=1), 0).astype(np.uint32)
 
 
-def _by_weight(values):
+def _by_weight(values: NDArray[Any]) -> bytes:
     return np.ascontiguousarray(values.reshape(-1, 1).view(np.uint8).T).tobytes()

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..arrays import Reals
+from ..arrays import Integers, Reals
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..sweeps.sweep_file import Branch, SweepFile
 from ..sweeps.sweep_panels import direction_words
@@ -83,7 +84,7 @@ def datasets(file: SweepFile, asked: Sequence[str] | None) -> list[tuple[dict[st
     return found if np.any(forces > 0) else [*found[1:], found[0]]
 
 
-def _dataset(file, name):
+def _dataset(file: SweepFile, name: str) -> tuple[dict[str, Any], bytes] | None:
     """None if it is not a number per point, or has words as values, which no axis can show."""
     shape = (len(file.branches), len(file.values))
     found = layers.shape_of(file, name)
@@ -100,22 +101,23 @@ def _dataset(file, name):
     return _layer(file, name, file.data.values(name, slice(None))) if found == shape else None
 
 
-def _layer(file, name, values, first=0, samples=1):
+def _layer(file: SweepFile, name: str, values: NDArray[Any], first: int = 0, samples: int = 1) -> tuple[dict[str, Any], bytes]:
     description, packed = layers.layer(file, name, name, values)
     return description | {"first": first, "rows": len(values), "samples": samples}, packed
 
 
-def _labels_of(file, track):
+def _labels_of(file: SweepFile, track: Track) -> dict[str, Integers]:
     if track.slot is None:
         return {name: getattr(track.branch, name) for name in layers.LABELS}
     return {name: file.attractors(track.branch)[f"attractor_{name}"][track.slot] for name in layers.LABELS}
 
 
 def _forces(file: SweepFile, track: Track) -> Reals:
-    return track.branch.force if track.slot is None else file.attractor_forces(track.branch)[track.slot]
+    values: Reals = track.branch.force if track.slot is None else file.attractor_forces(track.branch)[track.slot]
+    return values
 
 
-def _start(file, track, name):
+def _start(file: SweepFile, track: Track, name: str) -> Reals:
     """The first sample; for an attractor stored without samples, the orbit if it has one."""
     first = _samples(file, track, name)[:, 0]
     orbit = name.replace("stroboscopic", "attractor_orbit")
@@ -139,6 +141,6 @@ def _samples(file: SweepFile, track: Track, name: str) -> Reals:
     return np.take_along_axis(values, np.argsort(~own, axis=1, kind="stable"), axis=1)
 
 
-def _packed(values, keep):
+def _packed(values: Reals, keep: Callable[[bytes], int]) -> dict[str, Any]:
     description, packed = planes.reals(values)
     return {"plane": description, "blob": keep(packed)}

@@ -5,6 +5,7 @@ interpolation, between their edges: linear or logarithmic. Sizes are for one jou
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import matplotlib.patheffects as patheffects
 import numpy as np
@@ -14,18 +15,19 @@ from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.patheffects import AbstractPathEffect
 from matplotlib.ticker import NullFormatter, NullLocator
 
-from ..arrays import Mask
+from ..arrays import Mask, ma
 from ..files.coordinates import TWINS, unit_of
 from . import seen, style
 from .coordinates import IN_MILLIMETRES, label
 from .drawn import AtPoint, Growing, Image, InUnits, Plane
-from .figures import figure_of, new_figure, save  # noqa: F401: pieces every picture shares
+from .figures import figure_of as figure_of, new_figure as new_figure, save as save  # as: pieces every picture shares
 from .fills import Fill, fill, textured
-from .frames import NOT_COMPUTED_HATCH, diagram, legend_patch, stack  # noqa: F401
+from .frames import NOT_COMPUTED_HATCH
+from .frames import diagram as diagram, legend_patch as legend_patch, stack as stack
 from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
 from .ticks_in_units import number_in_units
-from .titles import write_title  # noqa: F401
+from .titles import write_title as write_title
 
 LETTER_SHARE = 0.033  # width of a 9 pt character over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
@@ -89,7 +91,7 @@ def _set_ticks(ticks: Axis, log: bool) -> None:
         ticks.set_major_formatter(LinearNumbers())
 
 
-def scale_functions(factor: float) -> tuple[Callable, Callable]:
+def scale_functions(factor: float) -> tuple[Callable[[Any], Any], Callable[[Any], Any]]:
     """Conversion functions of a second scale: from ratios to units, and back."""
     return (lambda ratio: ratio * factor), (lambda value: value / factor)
 
@@ -98,7 +100,7 @@ def show_classes(ax: Axes, reduced: Image, colours: Sequence[str | Fill], not_co
     """Draws class numbers (rows, columns) in their colours or fills; the class `not_computed` shows the hatched background."""
     hatch_background(ax)
     fills = [fill(colour) for colour in colours]
-    shown = np.ma.masked_where(reduced.image == not_computed, reduced.image)  # which may not be representable in its type
+    shown = ma.masked_where(reduced.image == not_computed, reduced.image)  # which may not be representable in its type
     rows, columns = reduced.row_edges, reduced.column_edges
     colours = [one.colour for one in fills]
     if any(one.hatch for one in fills):
@@ -191,7 +193,7 @@ def letter_colour(background: str) -> str:
     return "black" if 0.2126 * red + 0.7152 * green + 0.0722 * blue > GREY_BOUNDARY else "white"
 
 
-def _marked(ax, reduced):
+def _marked(ax: Axes, reduced: Image) -> Mask:
     """Mask of the image's cells beneath visible marks."""
     cells = np.zeros(reduced.image.shape, dtype=bool)
     for box in seen.boxes(ax):

@@ -1,6 +1,7 @@
 """What axes are called: the words and units of everything over which a map or a sweep may run, and places on them in words."""
 
 import re
+from collections.abc import Callable
 from typing import Protocol
 
 from ..files.coordinates import TWINS, Measured, Named, Scales, leads_in_si, measured
@@ -65,7 +66,7 @@ def span_in_words(file: Scales, axis: Named, low: float, high: float, digits: in
     return _in_words(file, axis, lambda factor: f"{low * factor:.{digits}g} to {high * factor:.{digits}g}")
 
 
-def _in_words(file, axis, numbers):
+def _in_words(file: Scales, axis: Named, numbers: Callable[[float], str]) -> str:
     own, unit = f"{axis.name} {numbers(1.0)}", spoken(file, axis.name)
     if unit is None:
         return own

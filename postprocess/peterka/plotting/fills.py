@@ -9,6 +9,7 @@ from collections.abc import Sequence, Collection
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb, to_rgba_array
 from matplotlib.figure import Figure
@@ -49,14 +50,15 @@ def grey(light: float) -> str:
     """The neutral '#RRGGBB' of this lightness, CIE L* 0 to 100."""
     linear = ((light + 16) / 116) ** 3 if light > 8 else light / 903.3
     value = 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
-    return to_hex([float(np.clip(value, 0, 1))] * 3)
+    colour: str = to_hex([float(np.clip(value, 0, 1))] * 3)
+    return colour
 
 
 def lightness(colour: str) -> float:
     """CIE L* of a colour, 0 to 100: its lightness in a grey print."""
     linear = [value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in to_rgb(colour)]
     luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-    return 116 * luminance ** (1 / 3) - 16 if luminance > 0.008856 else 903.3 * luminance
+    return float(116 * luminance ** (1 / 3) - 16 if luminance > 0.008856 else 903.3 * luminance)
 
 
 _OF_CLASS = {entry.colour: Fill(grey(GREYS[entry.label][0]), GREYS[entry.label][1]) for entry in CLASSES if entry.label in GREYS}
@@ -96,12 +98,11 @@ def textured(image: Integers, row_edges: Reals, column_edges: Reals, fills: Sequ
     return raster, row_edges, column_edges, [one.colour for one in fills] + [one.stroke for one in fills]
 
 
-def _raster(edges, log):
+def _raster(edges: Reals, log: bool) -> tuple[Reals, Integers]:
     """(edges of the raster, index of the cell under each of its cells)"""
-    spaced = np.geomspace if log else np.linspace
     cells = len(edges) - 1
     count = cells * -(-RASTER // cells)
-    fine = spaced(edges[0], edges[-1], count + 1)
+    fine: Reals = np.geomspace(edges[0], edges[-1], count + 1) if log else np.linspace(edges[0], edges[-1], count + 1)
     fine[[0, -1]] = edges[[0, -1]]
     middles = np.sqrt(fine[1:] * fine[:-1]) if log else (fine[1:] + fine[:-1]) / 2
     return fine, np.clip(np.searchsorted(edges, middles) - 1, 0, len(edges) - 2)
@@ -119,7 +120,8 @@ def _strokes(hatch: str, rows: int, columns: int) -> Mask:
     masks = {"--": level | (column < 0), "||": upright | (row < 0), "//": rising, "\\\\": falling, "xx": rising | falling,
              "++": level | upright, "**": level | upright | rising | falling, "oo": from_middle < STROKE,
              "..": dots, "xx..": rising | falling | dots, "OO": np.abs(from_middle - 0.4 * PERIOD) < STROKE / 2}
-    return masks[hatch]
+    mask: Mask = masks[hatch]
+    return mask
 
 
 def without_colour(figure: Figure, others: Collection[Axes] = ()) -> None:
@@ -130,7 +132,7 @@ def without_colour(figure: Figure, others: Collection[Axes] = ()) -> None:
                 _turn_grey(artist)
 
 
-def _turn_grey(artist):
+def _turn_grey(artist: Artist) -> None:
     if getattr(artist, "get_array", lambda: None)() is not None:  # colours of a scale or of classes
         return
     for name in ("color", "facecolor", "edgecolor", "markerfacecolor", "markeredgecolor"):

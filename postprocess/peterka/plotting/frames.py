@@ -89,8 +89,8 @@ def columns_that_fit(handles: Sequence[Artist], most: int, width: float, key: fl
 
 def text_width(text: str, size: float, has_mathematics: bool = False) -> float:
     """Width [in] of a text's widest line."""
-    def of_line(line):
+    def of_line(line: str) -> float:
         is_math = has_mathematics and line.count("$") > 1
-        return text_to_path.get_text_width_height_descent(line, FontProperties(size=size), ismath=is_math)[0] / 72
+        return float(text_to_path.get_text_width_height_descent(line, FontProperties(size=size), ismath=is_math)[0] / 72)
 
     return max(map(of_line, text.splitlines()), default=0.0)

@@ -7,6 +7,7 @@ label includes it. The labels of an axis are either all plain, or all with the s
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, ScalarFormatter
 from matplotlib.transforms import Bbox
@@ -33,7 +34,7 @@ class LinearTicks(MaxNLocator):
                 break
         return ticks
 
-    def _fit(self, ticks, low, high):
+    def _fit(self, ticks: Reals, low: float, high: float) -> bool:
         slack = 1e-9 * (high - low)
         seen = ticks[(ticks >= low - slack) & (ticks <= high + slack)]
         if len(seen) < 2 or not high > low:
@@ -74,7 +75,7 @@ def numbers(values: Reals) -> list[str]:
     return [_label(value, exponent, decimals) for value in values]
 
 
-def _label(value, exponent, decimals):
+def _label(value: float, exponent: int, decimals: int) -> str:
     text = f"{round(value / 10.0**exponent, decimals) + 0.0:.{decimals}f}".replace("-", "\N{MINUS SIGN}")
     if exponent == 0:
         return text
@@ -100,10 +101,10 @@ def use_everywhere(figure: Figure) -> None:
                     axis.set_major_formatter(LinearNumbers())
 
 
-def _length(axis):
+def _length(axis: Axis) -> float:
     """Length of the axis [in]."""
     ax = axis.axes
     box = ax.bbox if ax is not None and ax.figure is not None else Bbox.unit()
     if not box.width > 1:
         return USUAL_LENGTH
-    return (box.height if axis.axis_name == "y" else box.width) / ax.figure.dpi
+    return float((box.height if axis.axis_name == "y" else box.width) / ax.figure.dpi)

@@ -5,14 +5,14 @@ takes the densest of a few round sequences whose labels fit, and evenly spaced r
 any of them. The labels of an axis are all plain, or all powers of ten.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from matplotlib.ticker import Formatter, Locator, MaxNLocator
 
 from ..arrays import Reals
 
-SEQUENCES = [np.arange(1, 10), (1, 2, 5), (1,)]  # within a decade
+SEQUENCES: list[tuple[int, ...]] = [tuple(range(1, 10)), (1, 2, 5), (1,)]  # within a decade
 LETTER, LINE, SPACE = 0.079, 0.12, 0.09  # in: width and height of an 8 pt digit, least space between labels
 USUAL_LENGTH = 2.9  # in, of an axis without a figure
 PLAIN_FROM, PLAIN_TO = 1e-3, 1e5  # outside this range powers of ten are shorter
@@ -35,22 +35,22 @@ class LogTicks(Locator):
                 return ticks if len(ticks) > 1 or high > 10 * low else _even_ticks(low, high)
         return np.array([low, high])
 
-    def _fits(self, ticks, low, high):
+    def _fits(self, ticks: Reals, low: float, high: float) -> bool:
         places = self._length() * np.log(ticks / low) / np.log(high / low)
         plain = all_plain(ticks)
         letters = np.array([len(f"{tick:g}") if plain else 4.5 for tick in ticks])
         widths = np.full(len(ticks), LINE) if self._upright() else LETTER * letters
         return bool(np.all(np.diff(places) >= (widths[:-1] + widths[1:]) / 2 + SPACE))
 
-    def _upright(self):
+    def _upright(self) -> bool:
         return self.axis is not None and self.axis.axis_name == "y"
 
-    def _length(self):
+    def _length(self) -> float:
         """Length of the axis [in]."""
         ax = getattr(self.axis, "axes", None)
         if ax is None or ax.figure is None:
             return USUAL_LENGTH
-        return (ax.bbox.height if self._upright() else ax.bbox.width) / ax.figure.dpi
+        return float((ax.bbox.height if self._upright() else ax.bbox.width) / ax.figure.dpi)
 
 
 class LogNumbers(Formatter):
@@ -81,16 +81,17 @@ def power_of_ten(value: float) -> str:
     return f"$10^{{{exponent}}}$" if np.isclose(factor, 1) else f"${factor:g}\\cdot10^{{{exponent}}}$"
 
 
-def _even_ticks(low, high):
+def _even_ticks(low: float, high: float) -> Reals:
     ticks = MaxNLocator(nbins=5, steps=[1, 2, 5, 10]).tick_values(low, high)
-    return ticks[(ticks >= low) & (ticks <= high)]
+    values: Reals = ticks[(ticks >= low) & (ticks <= high)]
+    return values
 
 
-def _sequences(low, high):
+def _sequences(low: float, high: float) -> Iterator[Reals]:
     """Round numbers within [low, high], from dense to sparse."""
     first, last = int(np.floor(np.log10(low))), int(np.ceil(np.log10(high)))
 
-    def within(values):
+    def within(values: Reals) -> Reals:
         return values[(values >= low * (1 - ROUNDING)) & (values <= high * (1 + ROUNDING))]
 
     for factors in SEQUENCES:

@@ -4,11 +4,12 @@ otherwise farther away, with a line to its point. Without any free space it is o
 A label of one of several points never goes far: it stays nearer to its own point than to any other. Nor does that of a box,
 which it never covers."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import product
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
 from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
@@ -128,7 +129,7 @@ def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 
     no other mark where there is room; smaller, or up to 65 pt away with a line to it, which crosses none of these, where it has to.
     `nearest`: not nearer than so many pt. Returns whether it fits."""
     pixels = ax.get_figure().dpi / 72
-    texts, lines = _taken(ax, [box.extents]), _lines_to_marks(ax)
+    texts, lines = _taken(ax, np.array([box.extents])), _lines_to_marks(ax)
     note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(2.4), zorder=7)
     marks = np.array([mark for mark in seen.boxes(ax) if not np.allclose(mark, box.extents, atol=AIR)]).reshape(-1, 4)
     for taken in (np.concatenate([texts, marks]), texts):
@@ -150,31 +151,32 @@ def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 
     return False
 
 
-def _lines_to_marks(ax):
+def _lines_to_marks(ax: Axes) -> Reals:
     """Points of the lines from notes to their marks [pixels], (n, 2)."""
     ends = [ax.transData.transform(line.get_xydata()) for line in ax.lines if line.get_gid() == TO_MARK]
-    return np.concatenate([np.zeros((0, 2)), *(np.linspace(*pair, STEPS) for pair in ends)])
+    return np.concatenate([np.zeros((0, 2)), *(np.linspace(begin, end, STEPS) for begin, end in ends)])
 
 
-def _away(boxes, box):
+def _away(boxes: Reals, box: Bbox) -> Reals:
     """Distances of boxes, a row [left, bottom, right, top] each, from a box."""
-    return np.linalg.norm(np.maximum(0, np.maximum(boxes[:, :2] - box.max, box.min - boxes[:, 2:])), axis=1)
+    values: Reals = np.linalg.norm(np.maximum(0, np.maximum(boxes[:, :2] - box.max, box.min - boxes[:, 2:])), axis=1)
+    return values
 
 
-def _meets(points, box):
+def _meets(points: Reals, box: Bbox) -> bool:
     return bool(np.any(np.all((points >= box.min - AIR) & (points <= box.max + AIR), axis=1)))
 
 
-def _crosses(line, boxes, others):
+def _crosses(line: Reals, boxes: Reals, others: Reals) -> bool:
     """Whether a line, as points, meets one of these boxes or other lines."""
     near = len(others) and np.min(np.linalg.norm(line[:, None] - others, axis=2)) < AIR
     return bool(near) or any(_meets(line, Bbox(box.reshape(2, 2))) for box in boxes)
 
 
-def _around(box, width, height, away, inside):
+def _around(box: Bbox, width: float, height: float, away: float, inside: Bbox) -> Iterator[Bbox]:
     """Places of this size at a distance from a box: above, below and at its sides, as far as the picture has room there, and all
     around it."""
-    def along(low, high, length, first, last):
+    def along(low: float, high: float, length: float, first: float, last: float) -> float:
         return min(max((low + high - length) / 2, first + AIR), last - AIR - length)
 
     x = along(box.x0, box.x1, width, inside.x0, inside.x1)
@@ -184,35 +186,36 @@ def _around(box, width, height, away, inside):
         yield Bbox([low, (low[0] + width, low[1] + height)])
     for turn in np.linspace(0, 2 * np.pi, TURNS, endpoint=False):
         side = np.array([np.cos(turn), np.sin(turn)])
-        low = (box.min + box.max) / 2 + side * (np.array([box.width + width, box.height + height]) / 2 + away) - np.array([width, height]) / 2
-        yield Bbox([low, low + [width, height]])
+        apart = np.array([box.width + width, box.height + height]) / 2 + away
+        corner = (box.min + box.max) / 2 + side * apart - np.array([width, height]) / 2
+        yield Bbox([corner, corner + [width, height]])
 
 
-def _taken(ax, marks):
+def _taken(ax: Axes, marks: Reals) -> Reals:
     """Boxes of all texts and of these marks, a row [left, bottom, right, top] each."""
     return np.concatenate([np.reshape([_box(text).extents for text in ax.texts], (-1, 4)), marks])
 
 
-def _fits(box, ax, taken):
+def _fits(box: Bbox, ax: Axes, taken: Reals) -> bool:
     inside = ax.bbox
     within = inside.x0 + AIR <= box.x0 and box.x1 <= inside.x1 - AIR and inside.y0 + AIR <= box.y0 and box.y1 <= inside.y1 - AIR
     return within and not np.all((taken[:, :2] <= box.max) & (taken[:, 2:] >= box.min), axis=1).any()
 
 
-def _is_nearest(box, own, others):
+def _is_nearest(box: Bbox, own: Reals, others: Reals) -> bool:
     """Whether a box is nearer to its own point, or to one of them, than to any other."""
     away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (np.atleast_2d(own), others)]
-    return min(away[0]) < min(away[1], default=np.inf)
+    return bool(min(away[0]) < min(away[1], default=np.inf))
 
 
-def _draw_line(ax, own, box):
+def _draw_line(ax: Axes, own: Reals, box: Bbox) -> None:
     ends = ax.transData.inverted().transform([own, np.clip(own, box.min, box.max)])
     limits = ax.get_xlim(), ax.get_ylim()
     ax.plot(*ends.T, color="black", linewidth=0.6, zorder=5.9, gid=TO_MARK)
     ax.set(xlim=limits[0], ylim=limits[1])
 
 
-def _write_apart(ax, x, y, text, taken):
+def _write_apart(ax: Axes, x: float, y: float, text: str, taken: Reals) -> None:
     note = ax.annotate(text, (x, y), xycoords="data", xytext=(0, 0), textcoords="axes fraction",
                        path_effects=outline(2.4), zorder=7,
                        arrowprops={"arrowstyle": "-", "linewidth": 0.6})
@@ -221,12 +224,13 @@ def _write_apart(ax, x, y, text, taken):
         free = _nearest_free(_box(note), ax, places, taken, ax.transData.transform((x, y)))
         if free is not None:
             across, up = free
-            return note.set(position=free, ha=("left", "center", "right")[round(2 * across)],
-                            va=("bottom", "center", "top")[round(2 * up)])
+            note.set(position=free, ha=("left", "center", "right")[round(2 * across)],
+                     va=("bottom", "center", "top")[round(2 * up)])
+            return
     note.remove()
 
 
-def _nearest_free(box, ax, places, taken, own):
+def _nearest_free(box: Bbox, ax: Axes, places: Reals, taken: Reals, own: Reals) -> tuple[float, float] | None:
     """(across, up) of the place, of these, at which a box of this size has room nearest to its own point; None without one."""
     anchors = np.array(list(product(places, places)))
     size, start = np.array([box.width, box.height]), np.array([ax.bbox.x0, ax.bbox.y0])
@@ -236,14 +240,17 @@ def _nearest_free(box, ax, places, taken, own):
     others = taken[:, None]
     meets = np.all((low < others[..., 2:]) & (high > others[..., :2]), axis=2).any(axis=0)
     away = np.where(within & ~meets, np.linalg.norm(own - np.clip(own, low, high), axis=1), np.inf)
-    return tuple(anchors[np.argmin(away)]) if np.isfinite(away).any() else None
+    if not np.isfinite(away).any():
+        return None
+    across, up = anchors[np.argmin(away)]
+    return across, up
 
 
-def _has_room(note, ax, taken):
+def _has_room(note: Text, ax: Axes, taken: Reals) -> bool:
     return _fits(_box(note), ax, taken)
 
 
-def _box(text):
+def _box(text: Text) -> Bbox:
     """Extent of the text alone, as an annotation's own extent includes its arrow; with the padding of a frame."""
     if isinstance(text, Annotation):
         text.update_positions(_renderer(text))
@@ -252,7 +259,7 @@ def _box(text):
     return box.padded(frame)
 
 
-def _renderer(text):
+def _renderer(text: Text) -> RendererBase:
     figure = text.get_figure()
     if hasattr(figure.canvas, "get_renderer"):
         return figure.canvas.get_renderer()

@@ -2,13 +2,15 @@
 
 import functools
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 from . import fills, style
 from .figures import figure_of
 
+Drawn = TypeVar("Drawn")
 
-def picture(reader: Callable) -> Callable:
+
+def picture(reader: Callable[[Any], Any]) -> Callable[[Callable[..., Drawn]], Callable[..., Drawn]]:
     """Decorates draw(file, ax=None, ...), which draws a checked file of the class `reader`. The decorated function takes
 
         data     such a file, or an xarray.Dataset from peterka.open or peterka.run, or a part of one
@@ -17,9 +19,9 @@ def picture(reader: Callable) -> Callable:
 
     and returns the Axes, a list if the picture has several panels, or None if there is nothing to draw."""
 
-    def decorate(draw: Callable) -> Callable:
+    def decorate(draw: Callable[..., Drawn]) -> Callable[..., Drawn]:
         @functools.wraps(draw)
-        def drawn(data: Any, ax: Any | None = None, **options: Any) -> Any:
+        def drawn(data: Any, ax: Any | None = None, **options: Any) -> Drawn:
             changes = {name: options.pop(name) for name in style.NAMES & options.keys()}
             with style.using(**changes):
                 file = reader(data) if hasattr(data, "data_vars") else data

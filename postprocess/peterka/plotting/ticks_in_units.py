@@ -54,7 +54,9 @@ class _Numbers(Formatter):
 
     def format_ticks(self, values: Sequence[float]) -> list[str]:
         self.set_locs(values)
-        return self._numbers.format_ticks(np.asarray(values, dtype=float) * self._factor)
+        found: list[str] = self._numbers.format_ticks(np.asarray(values, dtype=float) * self._factor)
+        return found
 
     def __call__(self, value: float, pos: int | None = None) -> str:
-        return self._numbers(value * self._factor, pos)
+        text: str = self._numbers(value * self._factor, pos)
+        return text

@@ -38,10 +38,10 @@ def write_title(figure: Figure, file: Titled, extra: str = "", ax: Axes | None =
     figure.draw_without_rendering()
 
 
-def _share(ax):
+def _share(ax: Axes) -> float:
     """Share of the figure's width that the Axes occupy."""
     place = ax.get_subplotspec().get_position(ax.get_figure())
-    return place.width
+    return float(place.width)
 
 
 def wrapped(text: str, width: float) -> list[str]:
@@ -56,5 +56,5 @@ def wrapped(text: str, width: float) -> list[str]:
     return [line.replace(NO_BREAK, " ") for line in textwrap.wrap(text, letters)]
 
 
-def _fits(text, letters, width):
+def _fits(text: str, letters: int, width: float) -> bool:
     return all(text_width(line, SIZE) <= width for line in textwrap.wrap(text, letters))

@@ -106,15 +106,15 @@ def replay(costs: TileCosts, ranks: int, machine: Machine, size: Callable[[int, 
 class _Master:
     """Rank 0 as a computing rank: takes tiles from the front of the undealt ones."""
 
-    def __init__(self, costs, machine):
+    def __init__(self, costs: TileCosts, machine: Machine) -> None:
         self._costs = costs
         self._look = machine.look
         self._most = machine.in_hand
         self.now = 0.0  # s
-        self.in_hand = []  # remaining times of its tiles [s]
+        self.in_hand: list[float] = []  # remaining times of its tiles [s]
         self.dealt = 0  # tiles, by itself and to others
 
-    def compute_until(self, moment):
+    def compute_until(self, moment: float) -> None:
         """Advances to its first poll for requests at or after this time, or to the end of its last tile."""
         self._fill()
         time = ceil((moment - self.now) / self._look) * self._look
@@ -127,7 +127,7 @@ class _Master:
             self._finish_all(time)
         self._fill()
 
-    def _finish_all(self, time):
+    def _finish_all(self, time: float) -> None:
         """Adds the tiles that it completes within this time to those it holds."""
         before, tiles = self._costs.before, self._costs.count
         reached = before(self.dealt) + time - sum(self.in_hand)  # on the cumulative axis of all tiles' times
@@ -139,7 +139,7 @@ class _Master:
             self.now += time
             self.in_hand, self.dealt = [before(end) - reached], end
 
-    def _fill(self):
+    def _fill(self) -> None:
         while len(self.in_hand) < self._most and self.dealt < self._costs.count:
             self.in_hand.append(self._costs.before(self.dealt + 1) - self._costs.before(self.dealt))
             self.dealt += 1

@@ -148,11 +148,11 @@ _MEASURED = {"marker": "*", "linestyle": "none", "markersize": 10, "markerfaceco
              "markeredgecolor": "black", "markeredgewidth": 0.7, "zorder": 5}
 
 
-def _rate(machine):
+def _rate(machine: Machine) -> str:
     return f"{float(f'{1 / machine.service:.2g}'):,.0f}".replace(",", " ")
 
 
-def _power(cells):
+def _power(cells: int) -> str:
     exponent = int(np.floor(np.log10(cells)))
     factor = cells / 10**exponent
     return f"$10^{{{exponent}}}$" if abs(factor - 1) < 0.005 else f"${factor:.2g}\\cdot10^{{{exponent}}}$"

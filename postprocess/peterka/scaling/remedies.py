@@ -48,7 +48,7 @@ def remedies(record: RunRecord, tiles: tuple[int, int], present: Replay, machine
     costs = TileCosts(record.tile_seconds, tiles, ranks)
     least = ceil(ranks * machine.service / (BUSY * costs.total / costs.count))
 
-    def with_floor(remaining, all_tiles, everyone):
+    def with_floor(remaining: int, all_tiles: int, everyone: int) -> int:
         return min(max(deal_size(remaining, all_tiles, everyone), least), ceil(remaining / everyone))
 
     groups = {size: _one_group(record, tiles, ranks / size, size, machine) for size in GROUP_SIZES if size < ranks}
@@ -57,6 +57,6 @@ def remedies(record: RunRecord, tiles: tuple[int, int], present: Replay, machine
     return Remedies(ranks, present.efficiency, floor, groups.get(best, present.efficiency), best)
 
 
-def _one_group(record, tiles, groups, size, machine):
-    fewer = tuple(max(1, round(side / sqrt(groups))) for side in tiles)
-    return typical(TileCosts(record.tile_seconds, fewer, size), size, machine).efficiency
+def _one_group(record: RunRecord, tiles: tuple[int, int], groups: float, size: int, machine: Machine) -> float:
+    rows, columns = (max(1, round(side / sqrt(groups))) for side in tiles)
+    return typical(TileCosts(record.tile_seconds, (rows, columns), size), size, machine).efficiency

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..maps.map_file import PeterkaFile
 from .tile_costs import tiles_of, whole_tiles
@@ -17,7 +18,7 @@ class RunRecord:
     path: str
     title: str
     shape: tuple[int, int]  # in cells
-    tile_seconds: np.ndarray  # [rows][columns] of tiles, each scaled to a full tile
+    tile_seconds: Reals  # [rows][columns] of tiles, each scaled to a full tile
     ranks: int
     seconds: float  # wall time of solving and storing the cells
 

@@ -98,13 +98,14 @@ def deal_stride(rows: int, columns: int) -> int:
     return max(islice(strides, 16), key=lambda stride: _spread(stride, rows, columns))
 
 
-def _spread(stride, rows, columns):
+def _spread(stride: int, rows: int, columns: int) -> float:
     """The minimum over up to 256 turns of the squared distance of two squares times the turns between them, in a periodic plane."""
     squares = rows * columns
     turns = np.arange(1, min(squares - 1, 256) + 1)
     row, column = np.divmod(turns * stride % squares, columns)
     up, along = np.minimum(row, rows - row) / rows, np.minimum(column, columns - column) / columns
-    return np.min(turns * (up * up + along * along))
+    value: float = np.min(turns * (up * up + along * along))
+    return value
 
 
 def tiles_of(shape: tuple[int, int]) -> tuple[int, int]:
@@ -118,4 +119,5 @@ def whole_tiles(seconds: Reals, shape: tuple[int, int]) -> Reals:
     the border are scaled to full size."""
     rows, columns = tiles_of(shape)
     cells = [np.minimum(TILE, side - TILE * np.arange(count)) for side, count in zip(shape, (rows, columns))]
-    return np.reshape(seconds, (rows, columns)) * TILE**2 / np.outer(*cells)
+    values: Reals = np.reshape(seconds, (rows, columns)) * TILE**2 / np.outer(*cells)
+    return values

@@ -115,9 +115,9 @@ def from_0_to(end: Ball) -> Ball:
 
 
 @lru_cache
-def _pi(bits):
+def _pi(bits: int) -> int:
     """By Machin's formula, 16 arctan(1/5) - 4 arctan(1/239), with 32 further bits for what its terms lose."""
-    def arctan_of_inverse(n):
+    def arctan_of_inverse(n: int) -> int:
         power, total, k = (1 << bits + 32) // n, 0, 0
         while power:
             total += (-1) ** k * (power // (2 * k + 1))

@@ -67,7 +67,7 @@ def axes_of(tables: Mapping[str, Any], before: str = "") -> list[tuple[str, str]
 
 def rig_of(numbers: Mapping[str, Any]) -> Rig:
     """The equation's numbers, from doubles that are taken as exact."""
-    def ball(name):
+    def ball(name: str) -> Ball:
         return Ball.of(float(numbers[name]))
 
     mass, amplitude = ball("hammer.mass_kg"), ball("cart.amplitude_m")

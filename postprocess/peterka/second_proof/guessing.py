@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.integrate import solve_ivp
 
@@ -20,16 +22,18 @@ class Simulation:
     def __init__(self, rig: Rig, state: Reals, time: float = 0.0) -> None:
         self._turn, self._zeta, self._kappa = TAU / float(rig.frequency), float(rig.damping_ratio), float(rig.stiffness)
         self._chi, self._gap, self._gamma, self._absolute = float(rig.damping), float(rig.gap), float(rig.cubic), rig.absolute
-        self.state, self.time, self.events = np.asarray(state, dtype=float), time, []  # type: ignore[var-annotated]
+        self.state, self.time = np.asarray(state, dtype=float), time
+        self.events: list[tuple[float, str]] = []
         self._pressed = self._about_to_press(time, self.state) > 0
 
-    def _pressure(self, _, state):
-        return self._kappa * (state[0] - self._gap) + self._chi * state[1] / self._turn
+    def _pressure(self, _: float, state: Reals) -> float:
+        value: float = self._kappa * (state[0] - self._gap) + self._chi * state[1] / self._turn
+        return value
 
-    def _about_to_press(self, time, state):
-        return min(self._kappa * (state[0] - self._gap), self._pressure(time, state)) + 0.0
+    def _about_to_press(self, time: float, state: Reals) -> float:
+        return min(self._kappa * float(state[0] - self._gap), self._pressure(time, state)) + 0.0
 
-    def _change(self, time, state):
+    def _change(self, time: float, state: Reals) -> list[float]:
         u, w = state
         y = np.sin(TAU * time)
         cubic = (u + y) ** 3 - y**3 if self._absolute else u**3
@@ -40,7 +44,7 @@ class Simulation:
         """On to a time [turns]; itself."""
         while self.time < until:
             surface = self._pressure if self._pressed else self._about_to_press
-            def crossing(time, state, surface=surface):
+            def crossing(time: float, state: Reals, surface: Callable[[float, Reals], float] = surface) -> float:
                 return surface(time, state)
             crossing.terminal, crossing.direction = True, -1 if self._pressed else 1  # type: ignore[attr-defined]
             path = solve_ivp(self._change, (self.time, until), self.state, method="DOP853", rtol=1e-11, atol=1e-12, max_step=1 / 64,

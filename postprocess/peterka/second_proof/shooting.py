@@ -143,10 +143,10 @@ class Shot:
         slopes = {TOUCH: delta.slope(), RELEASE: pressure.slope()}
         slopes[RENEWED] = slopes[RELEASE]
 
-        def is_next_to(event, piece):
+        def is_next_to(event: str, piece: Ball) -> bool:
             return _has_sign(slopes[event].at(piece), _DIRECTION[event])
 
-        def is_clear(piece):
+        def is_clear(piece: Ball) -> bool:
             if self._pressed:
                 return _has_sign(pressure.over(slopes[RELEASE], piece), 1)
             return _has_sign(delta.over(slopes[TOUCH], piece), -1) or _has_sign(pressure.over(slopes[RELEASE], piece), -1)

@@ -47,7 +47,7 @@ def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
     return panels
 
 
-def _share_scale(ax, cells):
+def _share_scale(ax: Axes, cells: int) -> None:
     """The scale from 0 to one cell, then logarithmic up to 100 %."""
     one_cell = 100 / max(cells, 1)
     axes.log_scale(ax, "x")

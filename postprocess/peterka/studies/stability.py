@@ -9,9 +9,11 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
-from ..arrays import Reals
+
+from ..arrays import Reals, ma
 from ..plotting import axes, figures
 from ..plotting.picture import picture
 from .methods import marker_look
@@ -70,7 +72,8 @@ def status_word(table: Stability, scene: int, engine: int) -> str:
     """Why there is no result, in words."""
     word = table.status[scene, engine]
     word = table.regime[scene, engine] if word in ("", "verified", "proved") else word
-    return word.replace("_", " ")
+    text: str = word.replace("_", " ")
+    return text
 
 
 def fitted_slope(stiffness: Reals, difference: Reals) -> tuple[float, float] | None:
@@ -84,10 +87,10 @@ def fitted_slope(stiffness: Reals, difference: Reals) -> tuple[float, float] | N
     return float(slope), float(intercept)
 
 
-def _draw_squares(ax, table, engine_width):
+def _draw_squares(ax: Axes, table: Stability, engine_width: float) -> None:
     numbers = np.array([[_NAMES.index(name) if name in OUTCOMES else -1 for name in row] for row in table.outcome])
     axes.hatch_background(ax)
-    ax.pcolormesh(np.ma.masked_less(numbers, 0), cmap=ListedColormap([entry.colour for entry in OUTCOMES.values()]),
+    ax.pcolormesh(ma.masked_less(numbers, 0), cmap=ListedColormap([entry.colour for entry in OUTCOMES.values()]),
                   vmin=-0.5, vmax=len(OUTCOMES) - 0.5, edgecolors="white", linewidth=0.6)
     ax.invert_yaxis()
     for (row, column), number in np.ndenumerate(numbers):
@@ -99,8 +102,8 @@ def _draw_squares(ax, table, engine_width):
     ax.tick_params(length=0)
 
 
-def _write_mark(ax, row, column, name, table, engine_width):
-    text, size, weight = OUTCOMES[name].mark, 7, "bold"
+def _write_mark(ax: Axes, row: int, column: int, name: str, table: Stability, engine_width: float) -> None:
+    text, size, weight = OUTCOMES[name].mark, 7.0, "bold"
     if name == "says_why_not":
         text, weight = status_word(table, row, column) or text, "normal"
         size = min(6.5, 72 * engine_width / (0.7 * len(text)))
@@ -108,7 +111,7 @@ def _write_mark(ax, row, column, name, table, engine_width):
             color=axes.letter_colour(OUTCOMES[name].colour))
 
 
-def _legend_entries(table):
+def _legend_entries(table: Stability) -> list[Artist]:
     entries = [axes.legend_patch(f"{entry.mark}  {entry.label} ({np.sum(table.outcome == name)})", entry.colour)
                for name, entry in OUTCOMES.items()]
     if np.any(table.outcome == ""):
@@ -116,7 +119,7 @@ def _legend_entries(table):
     return entries
 
 
-def _draw_imbalance(ax, table):
+def _draw_imbalance(ax: Axes, table: Stability) -> None:
     """A row of points for each engine."""
     for number, engine in enumerate(table.engine):
         imbalance = np.abs(table.energy_imbalance[:, number])
@@ -132,7 +135,7 @@ def _draw_imbalance(ax, table):
         _say(ax, "not measured")
 
 
-def _draw_rigid_limit(ax, table):
+def _draw_rigid_limit(ax: Axes, table: Stability) -> None:
     difference = np.abs(table.speed_difference)
     fit = fitted_slope(table.contact_stiffness, table.speed_difference)
     ax.set_xlabel("stiffness $k_i/k$", fontsize=8)
@@ -149,7 +152,7 @@ def _draw_rigid_limit(ax, table):
     ax.text(0.95, 0.93, text, transform=ax.transAxes, ha="right", va="top", fontsize=7)
 
 
-def _say(ax, text):
+def _say(ax: Axes, text: str) -> None:
     ax.set_xticks([])
     ax.set_yticks([])
     ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", fontsize=8)

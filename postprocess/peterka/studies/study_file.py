@@ -13,25 +13,29 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..files.checked_hdf5 import INTEGER, REAL, shown
+from ..arrays import Reals
+from ..files.checked_hdf5 import INTEGER, REAL, Content, shown
 from ..files.opened import OpenedFile
 
 MAX_SIDE = 4096  # runs, cells, scenes, engines or rungs
 MAX_NUMBERS = 2**20
+
+Words = NDArray[np.object_]
 
 
 @dataclass(frozen=True)
 class WorkPrecision:
     """Shapes (runs,), (cells,) and (runs, cells)."""
 
-    frequency_ratio: np.ndarray
-    gap_ratio: np.ndarray
-    method: np.ndarray
-    setting: np.ndarray  # tolerance; steps per cycle for a fixed step; 0 if none
-    outcome: np.ndarray  # done, failed, other_orbit
-    error_peak_force: np.ndarray  # relative
-    seconds_per_cycle: np.ndarray
+    frequency_ratio: Reals
+    gap_ratio: Reals
+    method: Words
+    setting: Reals  # tolerance; steps per cycle for a fixed step; 0 if none
+    outcome: Words  # done, failed, other_orbit
+    error_peak_force: Reals  # relative
+    seconds_per_cycle: Reals
 
 
 @dataclass(frozen=True)
@@ -39,25 +43,25 @@ class Labels:
     """Shape (runs,)."""
 
     cells: int
-    method: np.ndarray
-    setting: np.ndarray
-    changed_share: np.ndarray
-    unproved_share: np.ndarray
-    seconds_per_cell: np.ndarray
+    method: Words
+    setting: Reals
+    changed_share: Reals
+    unproved_share: Reals
+    seconds_per_cell: Reals
 
 
 @dataclass(frozen=True)
 class Stability:
     """Shapes (scenes,), (engines,), (scenes, engines) and, of the limit of a rigid stop, (rungs,)."""
 
-    scene: np.ndarray
-    engine: np.ndarray
-    outcome: np.ndarray  # agrees, says_why_not, wrong, not_for_this_scene
-    regime: np.ndarray
-    status: np.ndarray
-    energy_imbalance: np.ndarray
-    contact_stiffness: np.ndarray
-    speed_difference: np.ndarray
+    scene: Words
+    engine: Words
+    outcome: Words  # agrees, says_why_not, wrong, not_for_this_scene
+    regime: Words
+    status: Words
+    energy_imbalance: Reals
+    contact_stiffness: Reals
+    speed_difference: Reals
 
 
 class StudyFile(OpenedFile):
@@ -84,37 +88,37 @@ class StudyFile(OpenedFile):
 class _Columns:
     """Reads whole datasets of known shape."""
 
-    def __init__(self, data):
+    def __init__(self, data: Content) -> None:
         self._data = data
 
-    def count(self, name):
+    def count(self, name: str) -> int:
         shape = self._data.dataset(name, None, INTEGER + REAL).shape
         if len(shape) != 1 or not 1 <= shape[0] <= MAX_SIDE:
             raise self._data.refusal(f"has {name} of shape {shape}; 1 to {MAX_SIDE} can be drawn")
-        return shape[0]
+        return int(shape[0])
 
-    def numbers(self, name, *shape):
+    def numbers(self, name: str, *shape: int) -> Reals:
         self._data.dataset(name, shape, REAL)
         if np.prod(shape) > MAX_NUMBERS:
             raise self._data.refusal(f"has {name} of shape {shape}, too large to draw")
         return np.asarray(self._data.values(name, ...), dtype=float)
 
-    def words(self, name, *shape):
+    def words(self, name: str, *shape: int) -> Words:
         self._data.dataset(name, shape, INTEGER)
         if np.prod(shape) > MAX_NUMBERS:
             raise self._data.refusal(f"has {name} of shape {shape}, too large to draw")
         words, values = self._data.words(name), self._data.values(name, ...)
         return np.array([words.get(int(value), "") for value in values.ravel()], dtype=object).reshape(shape)
 
-    def whole_number(self, name):
+    def whole_number(self, name: str) -> int:
         self._data.dataset(name, (), INTEGER)
         return int(self._data.values(name, ()))
 
-    def has(self, name):
+    def has(self, name: str) -> bool:
         return self._data.has(name)
 
 
-def _work_precision(file):
+def _work_precision(file: _Columns) -> WorkPrecision:
     runs, cells = file.count("method"), file.count("frequency_ratio")
     return WorkPrecision(
         frequency_ratio=file.numbers("frequency_ratio", cells),
@@ -127,7 +131,7 @@ def _work_precision(file):
     )
 
 
-def _labels(file):
+def _labels(file: _Columns) -> Labels:
     runs = file.count("method")
     return Labels(
         cells=file.whole_number("cells"),
@@ -139,7 +143,7 @@ def _labels(file):
     )
 
 
-def _stability(file):
+def _stability(file: _Columns) -> Stability:
     scenes, engines = file.count("scene"), file.count("engine")
     rungs = file.count("rung") if file.has("rung") else 0
     return Stability(

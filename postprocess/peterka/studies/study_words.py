@@ -1,7 +1,10 @@
 """Tables of studies as Markdown; times are multiples of the exact engine's, so that they carry over to other machines."""
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
 
+from ..arrays import Reals
 from ..files.regimes import reason
 from .methods import look, methods_in_order
 from .stability import OUTCOMES, fitted_slope, scene_name, status_word
@@ -86,22 +89,22 @@ def rigid_limit_sentence(table: Stability) -> str:
             f"{slope}; theory says −0.5.")
 
 
-def _share_not_done(table, method):
+def _share_not_done(table: WorkPrecision, method: str) -> float:
     outcome = table.outcome[table.method == method]
     known = outcome != ""
     return float(np.mean(outcome[known] != "done")) if known.any() else np.nan
 
 
-def _unit(exact, unit, per_second):
+def _unit(exact: Sequence[float] | Reals, unit: str, per_second: float) -> tuple[str, float]:
     """(column head, seconds per unit): the exact engine's time, or the plain unit if it is missing."""
     return ("exact = 1", float(min(exact))) if len(exact) else (unit, 1 / per_second)
 
 
-def _times(ratio):
+def _times(ratio: float) -> str:
     return f"{ratio:.2g}" if ratio < 99.5 else f"{float(f'{ratio:.2g}'):,.0f}".replace(",", " ")
 
 
-def _error(value):
+def _error(value: float) -> str:
     if value == 0:
         return "0"
     digits, exponent = f"{value:.0e}".split("e")
@@ -109,12 +112,12 @@ def _error(value):
     return power if digits == "1" else f"{digits}·{power}"
 
 
-def _percent(share):
+def _percent(share: float) -> str:
     if not np.isfinite(share):
         return NONE
     return "0" if share == 0 else f"{100 * share:.2g} %"
 
 
-def _markdown(head, rows):
+def _markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     lines = [head, ["---"] * len(head), *rows]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)

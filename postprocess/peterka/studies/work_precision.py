@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Reals
 from ..plotting import axes
 from ..plotting.picture import picture
 from .methods import draw_points, look, marker_look, methods_in_order
@@ -76,10 +77,10 @@ def draw(file: StudyFile, ax: Axes | None = None) -> Axes | None:
     return ax
 
 
-def _drawn(error):
+def _drawn(error: Reals) -> Reals:
     return np.maximum(error, SMALLEST_ERROR)
 
 
-def _handle(method):
+def _handle(method: str) -> Line2D:
     return Line2D([], [], label=look(method).name, **marker_look(method) | {
         "linestyle": "-", "color": look(method).colour, "linewidth": 1.1})

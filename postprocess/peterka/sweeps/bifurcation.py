@@ -3,6 +3,7 @@ Figs. 17 to 19), at forcing phase 0 or at first touch."""
 
 from collections.abc import Sequence
 
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
@@ -57,7 +58,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     return list(panels.values())
 
 
-def _keep_rounding_flat(ax):
+def _keep_rounding_flat(ax: Axes) -> None:
     """Widens the range of a constant to a tenth of its value on either side; autoscaling would magnify rounding."""
     low, high = ax.get_ylim()
     largest = max(abs(low), abs(high))
@@ -65,7 +66,7 @@ def _keep_rounding_flat(ax):
         ax.set_ylim((low + high) / 2 - 0.1 * largest, (low + high) / 2 + 0.1 * largest)
 
 
-def _handles(file):
+def _handles(file: SweepFile) -> list[Artist]:
     return [
         Line2D([], [], label=direction_words(file, name), marker="o", markeredgewidth=0, linestyle="none",
                color=DOTS[name][0], markersize=2 * DOTS[name][1])

@@ -7,11 +7,13 @@ branch of the sweep has next to them.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Mask
 from ..errors import PeterkaFileError
 from ..files.coordinates import coordinate
 from ..files.opened import OpenedFile
@@ -19,7 +21,7 @@ from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import SAME_GAP, WORDS, CurvesFile, differing, rig_of
 from ..maps.curves_map import COLOURS, LOOKS, name_of
 from ..plotting.coordinates import spoken
-from .sweep_file import SweepFile
+from .sweep_file import Branch, SweepFile
 
 SAME_PLACE = 1e-10  # relative, of two frequencies: more than nine digits
 
@@ -90,17 +92,17 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
     return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
 
 
-def _look(kind):
+def _look(kind: str) -> dict[str, Any]:
     return {"linestyle": LOOKS[kind]["linestyle"], "linewidth": 0.7}
 
 
-def _is_same(border, other):
+def _is_same(border: Border, other: Border) -> bool:
     """Whether a curve meets the gap there twice up to rounding, as at gap 0 where it begins."""
     own, others = (replace(each, frequency_ratio=0.0) for each in (border, other))
     return own == others and abs(border.frequency_ratio - other.frequency_ratio) < SAME_PLACE * border.frequency_ratio
 
 
-def _is_met(sweep, border):
+def _is_met(sweep: SweepFile, border: Border) -> bool:
     """Whether a branch has the motion of one side within one and a half steps."""
     near = np.abs(sweep.values - border.frequency_ratio) <= 1.5 * np.max(np.diff(sweep.values))
     p, q = border.impacts, border.period
@@ -109,7 +111,7 @@ def _is_met(sweep, border):
     return any((near & _has(branch, *side)).any() for branch in sweep.at_gap(border.gap) for side in sides)
 
 
-def _has(branch, impacts, period):
-    if impacts == 0:
-        return branch.regime == NO_IMPACT
-    return (branch.regime == PERIODIC) & (branch.impacts == impacts) & (branch.period == period)
+def _has(branch: Branch, impacts: int, period: int) -> Mask:
+    motion = (branch.regime == PERIODIC) & (branch.impacts == impacts) & (branch.period == period)
+    found: Mask = motion if impacts else branch.regime == NO_IMPACT
+    return found

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Reals
 from .sweep_file import Branch, SweepFile
 
 COLOUR = "#777777"
@@ -16,7 +17,7 @@ def handles(file: SweepFile) -> list[Line2D]:
     return [Line2D([], [], label="attractors that are known", **DOTS | {"markersize": 3 * SIZE})] if file.slots else []
 
 
-def forces(file: SweepFile, gap: float | None) -> tuple[np.ndarray, np.ndarray]:
+def forces(file: SweepFile, gap: float | None) -> tuple[Reals, Reals]:
     """(values of the axis, forces) of all attractors with a force at a gap, two arrays of one length."""
     if not file.slots:
         return np.zeros(0), np.zeros(0)
@@ -25,7 +26,7 @@ def forces(file: SweepFile, gap: float | None) -> tuple[np.ndarray, np.ndarray]:
     return file.values[points], force[slots, points]
 
 
-def draw(ax: Axes, x: np.ndarray, y: np.ndarray, size: float = SIZE) -> None:
+def draw(ax: Axes, x: Reals, y: Reals, size: float = SIZE) -> None:
     """Draws dots below all branches, at these positions of a panel, (n,) each."""
     if len(x):
         ax.plot(x, y, **DOTS, markersize=size, zorder=1.3, rasterized=len(x) > 5000)

@@ -1,15 +1,20 @@
 """Residuals of measured forces against a sweep: each point against every branch and every other attractor of its gap, as a table."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Integers
 from ..measurements import tables
 from ..measurements.map_residuals import known
 from ..measurements.matches import Known, Match, Place, around, distance, matches
 from ..measurements.points import Point, lies_between
-from .sweep_file import OF_ATTRACTORS, SweepFile
+from .sweep_file import OF_ATTRACTORS, Branch, SweepFile
+
+Slots = tuple[dict[str, NDArray[Any]], Integers]
 
 
 def residuals(file: SweepFile, points: Iterable[Point]) -> list[list[Match]]:
@@ -26,12 +31,12 @@ def table(file: SweepFile, found: Sequence[Sequence[Match]]) -> list[str]:
     return tables.table([each for each in found if each], tables.Units(hertz, metres and 1000 * metres, file.newtons))
 
 
-def _slots(file, branches):
+def _slots(file: SweepFile, branches: Sequence[Branch]) -> Slots | None:
     """({dataset: (slots, points)}, slots occupied by branches (points, branches)) of a gap; None without [starts]."""
     return (file.attractors(branches[0]), np.column_stack([file.start_attractor(branch) for branch in branches])) if file.slots else None
 
 
-def _places(file, point, slots):
+def _places(file: SweepFile, point: Point, slots: Mapping[float | None, Slots | None]) -> list[Place]:
     gap = point.gap if point.gap is not None else file.gaps[0]
     ends = around(file.values, point.frequency)
     first, last = ends[0][0], ends[-1][0]
@@ -40,7 +45,7 @@ def _places(file, point, slots):
             for at, weight in ends]
 
 
-def _on_branch(branch, at, first, last):
+def _on_branch(branch: Branch, at: int, first: int, last: int) -> Known | None:
     """A branch's motion at a point; it continues to the other point except across a jump."""
     motion = known(branch.regime[at], branch.impacts[at], branch.period[at], branch.force[at])
     jumps = first != last and branch.jump[first if branch.direction == "down" else last]
@@ -48,7 +53,7 @@ def _on_branch(branch, at, first, last):
                                                directions=(branch.direction,), goes_on=True)
 
 
-def _merged(motions):
+def _merged(motions: Iterable[Known | None]) -> list[Known]:
     """Both branches of a gap are often on the same orbit, whose force is then the same but for rounding: told once."""
     found: list[Known] = []
     for motion in filter(None, motions):
@@ -61,7 +66,7 @@ def _merged(motions):
     return found
 
 
-def _beside(slots, at):
+def _beside(slots: Slots | None, at: int) -> list[Known]:
     """The attractors at a point that no branch follows."""
     if slots is None:
         return []

@@ -7,9 +7,11 @@ Periodic motions are lines; the largest forces of other motions, over the observ
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Mask
 from ..plotting import style, units
 from ..plotting.coordinates import either
 from ..plotting.limits import WEIGHTS, requested
@@ -19,7 +21,7 @@ from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
-from .sweep_file import SweepFile
+from .sweep_file import Branch, SweepFile
 from .sweep_panels import LOOKS, direction_words
 from .unstable import NO_UNSTABLE, draw_unstable
 from .unstable import at_gap as unstable_at_gap
@@ -29,6 +31,8 @@ MOST_LABELLED = 3  # jumps of a branch
 CLOSE = 0.004  # of the panel's width: marks of both branches closer than this are merged
 RESONANCE = {"marker": "*", "markersize": 9, "markeredgecolor": "black", "markeredgewidth": 0.7, "linestyle": "none"}
 CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
+
+Note = tuple[float, float, str, str]  # x, y, text, colour
 
 
 @picture(SweepFile)
@@ -60,24 +64,25 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     return list(panels.values())
 
 
-def _largest(file):
+def _largest(file: SweepFile) -> float:
     """The largest force of all branches and attractors."""
     return float(max(*(_largest_of(branch) for branch in file.branches),
                      *(every_attractor.forces(file, gap)[1].max(initial=0.0) for gap in file.gaps)))
 
 
-def _largest_of(branch):
-    return branch.force.max(initial=0.0, where=np.isfinite(branch.force))
+def _largest_of(branch: Branch) -> float:
+    value: float = branch.force.max(initial=0.0, where=np.isfinite(branch.force))
+    return value
 
 
-def _second_scale(file):
+def _second_scale(file: SweepFile) -> tuple[str, float] | None:
     if not file.newtons:
         return None
     factor, unit = units.with_prefix(_largest(file) * file.newtons, "N")
     return f"peak force ({unit})", file.newtons * factor
 
 
-def _limits(file, gap, top, limits):
+def _limits(file: SweepFile, gap: float | None, top: float, limits: tuple[float, float] | None) -> tuple[float, float]:
     """(bottom, top) of the forces shown, F/(m g); `limits`: those requested."""
     forces = np.concatenate([branch.force[branch.force > 0] for branch in file.at_gap(gap)])
     bottom = 0.9 * float(forces.min(initial=top / 10)) if style.current().log else 0.0
@@ -87,7 +92,7 @@ def _limits(file, gap, top, limits):
     return bottom, top
 
 
-def _handles(file):
+def _handles(file: SweepFile) -> list[Artist]:
     handles = []
     for name in sweep_panels.directions(file):
         look = LOOKS[name]
@@ -107,11 +112,12 @@ def _handles(file):
     return handles
 
 
-def _scattered(branch):
-    return ~branch.has_period & np.isfinite(branch.force)
+def _scattered(branch: Branch) -> Mask:
+    mask: Mask = ~branch.has_period & np.isfinite(branch.force)
+    return mask
 
 
-def _draw_branch(ax, file, branch, bottom, top):
+def _draw_branch(ax: Axes, file: SweepFile, branch: Branch, bottom: float, top: float) -> None:
     look, x = LOOKS[branch.direction], file.values
     y = np.where(branch.has_period, branch.force, np.nan)
     # a line ends where the force jumps
@@ -129,9 +135,9 @@ def _draw_branch(ax, file, branch, bottom, top):
                                 "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7})
 
 
-def _jump_notes(file, gap):
+def _jump_notes(file: SweepFile, gap: float | None) -> list[Note]:
     """The frequencies of the largest jumps."""
-    notes = []
+    notes: list[Note] = []
     for branch in file.at_gap(gap):
         for before, after in branch.jumps()[:MOST_LABELLED]:
             middle = (file.values[before] + file.values[after]) / 2
@@ -140,9 +146,9 @@ def _jump_notes(file, gap):
     return notes
 
 
-def _mark_strongest(ax, file, gap):
+def _mark_strongest(ax: Axes, file: SweepFile, gap: float | None) -> list[Note]:
     """A star at the resonance of each branch, a square at a largest force that is not a maximum; returns their notes."""
-    notes = []
+    notes: list[Note] = []
     for branch in file.at_gap(gap):
         at = branch.strongest_single()
         if at is None:
@@ -157,7 +163,7 @@ def _mark_strongest(ax, file, gap):
     return notes
 
 
-def _add(notes, file, note):
+def _add(notes: list[Note], file: SweepFile, note: Note) -> None:
     """Appends a note unless there is already one at the same place."""
     if all(abs(note[0] - other[0]) > CLOSE * np.ptp(file.values) for other in notes):
         notes.append(note)

@@ -10,8 +10,10 @@ attractor_impact_displacement. What cannot be drawn raises PeterkaFileError.
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals, Mask
 from ..files.checked_hdf5 import INTEGER, REAL
@@ -41,16 +43,17 @@ class Branch:
     row: int
     gap_ratio: float | None  # None where the gap is the axis
     direction: str
-    regime: np.ndarray
-    impacts: np.ndarray
-    period: np.ndarray
-    force: np.ndarray  # F/(m g), NaN where there is none
-    jump: np.ndarray  # whether the force jumps from the previous point in the branch's direction to this one
+    regime: Integers
+    impacts: Integers
+    period: Integers
+    force: Reals  # F/(m g), NaN where there is none
+    jump: Mask  # whether the force jumps from the previous point in the branch's direction to this one
 
     @property
     def has_period(self) -> Mask:
         """Mask of the points with a periodic motion and a force, (points,)."""
-        return ~np.isin(self.regime, WITHOUT_PERIOD) & np.isfinite(self.force)
+        mask: Mask = ~np.isin(self.regime, WITHOUT_PERIOD) & np.isfinite(self.force)
+        return mask
 
     def jumps(self) -> list[tuple[int, int]]:
         """(index before, index after) of each jump, the largest first."""
@@ -75,7 +78,8 @@ class Branch:
         return bool(inside and self._single()[at - 1:at + 2].all() and not self.jump[list(landings)].any())
 
     def _single(self) -> Mask:
-        return (self.regime == PERIODIC) & (self.impacts == 1) & (self.period == 1) & (self.force > 0)
+        mask: Mask = (self.regime == PERIODIC) & (self.impacts == 1) & (self.period == 1) & (self.force > 0)
+        return mask
 
 
 class SweepFile(OpenedFile):
@@ -114,7 +118,7 @@ class SweepFile(OpenedFile):
         slots = self.attractors(branch)
         return np.where(slots["attractor_regime"] >= 0, np.asarray(slots["attractor_peak_force_ratio"], dtype=float), np.nan)
 
-    def attractors(self, branch: Branch) -> dict[str, np.ndarray]:
+    def attractors(self, branch: Branch) -> dict[str, NDArray[Any]]:
         """{dataset: (slots, points)} of OF_ATTRACTORS, at the points of a branch."""
         slots = {name: self.data.values(name, (slice(None), branch.row)) for name in OF_ATTRACTORS}
         check_labels(self.data, {name.removeprefix("attractor_"): values for name, values in slots.items()})
@@ -186,7 +190,7 @@ class SweepFile(OpenedFile):
             raise self.refusal(f"has a direction that is not one of {', '.join(DIRECTIONS)}")
         return [DIRECTIONS[number] for number in numbers]
 
-    def _check_samples(self, shape):
+    def _check_samples(self, shape: tuple[int, ...]) -> None:
         samples = self.data.dataset("sample", None, INTEGER).shape
         if len(samples) != 1 or np.prod(shape) * samples[0] > MAX_SAMPLES:
             raise self.refusal(f"has samples of shape {(*shape, *samples)}, too many to draw")
@@ -195,7 +199,7 @@ class SweepFile(OpenedFile):
             if self.slots:
                 self.data.dataset(f"attractor_{name}", (*shape, *samples), REAL)
 
-    def _slots(self, shape):
+    def _slots(self, shape: tuple[int, ...]) -> int:
         if not self.data.has("basin_share"):
             return 0
         slots = self.data.dataset("basin_share", None, REAL).shape[:1]
@@ -204,7 +208,7 @@ class SweepFile(OpenedFile):
         for name, kinds in OF_ATTRACTORS.items():
             self.data.dataset(name, slots + shape, kinds)
         self.data.dataset("start_attractor", shape, INTEGER)
-        return slots[0]
+        return int(slots[0])
 
     def _branch(self, row: int, gap: float | None, direction: str, shape: tuple[int, ...]) -> Branch:
         for name, kinds in CELLS.items():

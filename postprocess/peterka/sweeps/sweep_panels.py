@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
+from ..arrays import Integers, Reals
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, classify, named
 from ..plotting.coordinates import IN_MILLIMETRES, either, label
@@ -19,7 +20,7 @@ from ..plotting.fills import fill
 from ..plotting.frames import text_width
 from ..measurements import marks
 from ..measurements.points import Measurements
-from .sweep_file import SweepFile
+from .sweep_file import Branch, SweepFile
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
@@ -106,7 +107,7 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
     line down to its place; the data reach from `bottom` up to `top`. Once the layout is made."""
     low, high = ax.get_xlim()
     width = ax.bbox.width / ax.get_figure().dpi
-    placed: list[tuple] = []
+    placed: list[tuple[int, float, float, float, str, str]] = []
     ends: list[float] = []
     for frequency, height, text, colour in sorted(notes):
         across = (frequency - low) / (high - low)
@@ -127,10 +128,10 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
         ax.plot([frequency, frequency], [height, _at_share(ax, foot)], color=colour, linewidth=0.5, zorder=1.5)
 
 
-def _at_share(ax, share):
+def _at_share(ax: Axes, share: float) -> float:
     """The height at this relative position in a panel."""
     low, high = ax.get_ylim()
-    return low * (high / low) ** share if ax.get_yscale() == "log" else low + share * (high - low)
+    return float(low * (high / low) ** share if ax.get_yscale() == "log" else low + share * (high - low))
 
 
 def place_text(file: SweepFile, value: float) -> str:
@@ -148,7 +149,7 @@ def place_text(file: SweepFile, value: float) -> str:
     return either(file, in_units, f"{value:.{digits}g}")
 
 
-def _digits_apart(values):
+def _digits_apart(values: Reals) -> int:
     """Significant digits, 4 at least, that tell neighbouring values and places half-way between apart: the rule of the
     program's summary, so that both print a place alike."""
     larger = np.maximum(np.abs(values[1:]), np.abs(values[:-1]))
@@ -161,7 +162,7 @@ def directions(file: SweepFile) -> list[str]:
     return list(dict.fromkeys(branch.direction for branch in file.branches))
 
 
-def _gap_text(file, gap):
+def _gap_text(file: SweepFile, gap: float | None) -> str:
     if gap is None:
         return ""
     if file.gap_name == "gap_m":
@@ -171,13 +172,13 @@ def _gap_text(file, gap):
     return either(file, in_millimetres, f"gap/A₀ = {gap:.4g}").replace("(gap = ", "(")
 
 
-def _has_room_beside(ax, text):
+def _has_room_beside(ax: Axes, text: str) -> bool:
     """Whether a gap and the name of a scale above the middle of its panel stand in one line."""
     name = max((text_width(scale.get_xlabel(), 8) for scale in ax.child_axes), default=0.0)
-    return 1.15 * text_width(text, 8) + name / 2 < ax.bbox.width / ax.get_figure().dpi / 2  # letters are bold
+    return bool(1.15 * text_width(text, 8) + name / 2 < ax.bbox.width / ax.get_figure().dpi / 2)  # letters are bold
 
 
-def _second_scales(ax, file, second, top, bottom):
+def _second_scales(ax: Axes, file: SweepFile, second: tuple[str, float] | None, top: bool, bottom: bool) -> bool:
     """Of a panel, which may be the top or the bottom one; whether it has one above."""
     scale, replaces = None, file.axis_name in IN_MILLIMETRES
     if bottom if replaces or style.current().units == "si" else top:
@@ -186,22 +187,22 @@ def _second_scales(ax, file, second, top, bottom):
     return scale is not None
 
 
-def _classes(branch):
+def _classes(branch: Branch) -> Integers:
     return classify(branch.regime, branch.impacts, branch.period)
 
 
-def _shown(file):
+def _shown(file: SweepFile) -> Integers:
     """The displayed class of each class, common to all panels."""
     return named(np.bincount(np.concatenate([_classes(branch) for branch in file.branches]), minlength=len(CLASSES)))
 
 
-def _class_handles(file):
+def _class_handles(file: SweepFile) -> list[Artist]:
     present = np.unique(_shown(file)[np.concatenate([_classes(branch) for branch in file.branches])])
     missing = INDEX["not computed yet"]
     return [axes.legend_patch(CLASSES[i].label, CLASSES[i].colour, hatched=i == missing) for i in present]
 
 
-def _show_classes(ax, file, gap):
+def _show_classes(ax: Axes, file: SweepFile, gap: float | None) -> None:
     """A row of classes per branch, the first at the bottom, each with the mark of its direction."""
     edges, shown = _edges(file.values), _shown(file)
     for place, branch in enumerate(file.at_gap(gap)):
@@ -223,7 +224,7 @@ def _show_classes(ax, file, gap):
                    transform=strip.transAxes)
 
 
-def _edges(centres):
+def _edges(centres: Reals) -> Reals:
     if len(centres) == 1:
         return np.array([centres[0] - 0.5, centres[0] + 0.5])
     inner = (centres[:-1] + centres[1:]) / 2

@@ -7,17 +7,19 @@ Drawn rigs begin at starts of their own, not where a branch is, so that all bran
 from collections.abc import Iterable
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from ..arrays import Reals
 from ..maps.outcomes import QUANTILES, draws_of, quantiles
 from ..measurements.points import NOTHING_MEASURED, Measurements, Point, lies_between
 from ..plotting import style, units
 from ..plotting.limits import WEIGHTS, requested
 from ..plotting.picture import picture
 from . import sweep_panels
-from .sweep_file import SweepFile
+from .sweep_file import Branch, SweepFile
 from .sweep_panels import LOOKS, direction_words
 
 BAND, MEDIAN = {"facecolor": "#B8C4CE", "linewidth": 0}, {"color": "black", "linewidth": 1.3, "linestyle": (0, (1, 1.2))}
@@ -71,26 +73,27 @@ def inside_in_words(file: SweepFile, points: Iterable[Point]) -> str:
             f"{_begin_in_words(file)}: where several motions exist, the rigs may be on others than those of this table")
 
 
-def _begin_in_words(file):
+def _begin_in_words(file: SweepFile) -> str:
     """Where drawn rigs begin, and where branches do."""
     own = "from a start of their own" if file.slots else "from [start]"
     apart = any(branch.direction != "independent" for branch in file.branches)
     return f"drawn rigs begin {own}" + ", branches with the motion at the point before" * apart
 
 
-def _holds(file, branch, point):
+def _holds(file: SweepFile, branch: Branch, point: Point) -> bool:
     low, _, high = (np.interp(point.frequency, file.values, band) for band in file.force_quantiles(branch))
     return bool(low <= point.force <= high)
 
 
-def _draw_band(panel, file, band):
+def _draw_band(panel: Axes, file: SweepFile, band: Reals) -> None:
     low, median, high = band
     panel.fill_between(file.values, low, high, zorder=1.2, **BAND)
     panel.plot(file.values, median, zorder=1.8, **MEDIAN)
 
 
-def _handles(file, is_force):
-    handles: list = [Patch(label=f"{QUANTILES[0]} to {QUANTILES[-1]} % of the rigs", **BAND), Line2D([], [], label="their median", **MEDIAN)]
+def _handles(file: SweepFile, is_force: bool) -> list[Artist]:
+    handles: list[Artist] = [Patch(label=f"{QUANTILES[0]} to {QUANTILES[-1]} % of the rigs", **BAND),
+                             Line2D([], [], label="their median", **MEDIAN)]
     for name in sweep_panels.directions(file) if is_force else ():
         look = LOOKS[name]
         handles.append(Line2D([], [], color=look.colour, linestyle=look.linestyle, linewidth=OWN_WIDTH,
@@ -98,14 +101,14 @@ def _handles(file, is_force):
     return handles
 
 
-def _second_scale(file, largest):
+def _second_scale(file: SweepFile, largest: float) -> tuple[str, float] | None:
     if not file.newtons:
         return None
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     return f"peak force ({unit})", file.newtons * factor
 
 
-def _limits(limits, top, band):
+def _limits(limits: tuple[float, float] | None, top: float, band: Reals) -> tuple[float, float]:
     """(bottom, top) of a panel; `limits`: those requested."""
     if limits:
         return limits

@@ -53,9 +53,10 @@ def draw_unstable(ax: Axes, branches: Sequence[UnstableBranch], name: str) -> No
                 ax.add_artist(Line2D(branch.frequency_ratio, line, zorder=1.4, **LOOK))
 
 
-def _connected(branches, places):
+def _connected(branches: Sequence[UnstableBranch], places: Sequence[float]) -> list[UnstableBranch]:
     """The branches that reach one of the places, directly or through other branches."""
-    found, waiting = [], list(branches)
+    found: list[UnstableBranch] = []
+    waiting = list(branches)
     while True:
         reached = [each for each in waiting if any(
             abs(end - place) < SAME_PLACE * place for end in each.frequency_ratio[[0, -1]] for place in places)]

@@ -1,8 +1,11 @@
 """Close-up of the hardest impact: the stop's force with its jump at first touch and its peak, and the hammer's acceleration."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..arrays import Reals
 from ..plotting import figures
 from ..plotting.picture import picture
 from . import trace_look
@@ -20,13 +23,14 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     above, below = (figures.panel(figure, grid, row, ax=ax) for row in range(2))
     below.sharex(above)
     above.tick_params(labelbottom=False)
-    motion, impacts, number = file.impact.motion, file.impacts, file.impact.number
+    impact, impacts = file.impact, file.impacts
+    motion, number = impact.motion, impact.number
     assert impacts is not None
     milliseconds = 1000 * motion["time_from_touch"]
     force, unit = trace_look.force(file, motion["force_ratio"])
     above.plot(milliseconds, force, **trace_look.FORCE_LINE)
-    if file.impact.peak_time is not None:
-        _label_peak(above, file, impacts["touch_time"][number])
+    if impact.peak_time is not None and impact.peak_force_ratio is not None:
+        _label_peak(above, file, impact.peak_time - impacts["touch_time"][number], impact.peak_force_ratio)
         _label_jump(above, file, impacts["touch_force_ratio"][number])
         above.set_ylim(top=1.28 * np.max(force))
     above.set_ylabel(f"force ({unit})")
@@ -38,19 +42,19 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
         trace_look.grid(ax)
     above.set_xlim(milliseconds[0], milliseconds[-1])
     figure.align_ylabels([above, below])
-    trace_look.write_title(figure, file, "\n".join(filter(None, [_facts(file), trace_look.peaks(file)])), above)
+    trace_look.write_title(figure, file, "\n".join(filter(None, [_facts(impacts, number), trace_look.peaks(file)])), above)
     return [above, below]
 
 
-def _label_peak(ax, file, touch_time):
-    peak, unit = trace_look.force(file, file.impact.peak_force_ratio)
-    at = 1000 * (file.impact.peak_time - touch_time)
+def _label_peak(ax: Axes, file: TraceFile, since_touch: float, ratio: float) -> None:
+    peak, unit = trace_look.force(file, ratio)
+    at = 1000 * since_touch
     ax.plot([at], [peak], marker="o", markersize=3.5, color="black", zorder=5)
     ax.annotate(f"peak {peak:.4g} {unit}\nafter {at:.3g} ms", (at, peak), xytext=(8, 3), textcoords="offset points",
                 fontsize=8, va="bottom")
 
 
-def _label_jump(ax, file, ratio):
+def _label_jump(ax: Axes, file: TraceFile, ratio: float) -> None:
     jump, unit = trace_look.force(file, ratio)
     if jump <= 0:
         return
@@ -58,8 +62,7 @@ def _label_jump(ax, file, ratio):
                 ha="right", va="center")
 
 
-def _facts(file):
-    impacts, number = file.impacts, file.impact.number
+def _facts(impacts: Mapping[str, Reals], number: int) -> str:
     facts = [f"at {impacts['touch_time'][number]:.4g} s with {impacts['impact_speed'][number]:.3g} m/s"]
     if np.isfinite(impacts["peak_force_ratio"][number]):
         facts.append(f"pressed for {1000 * impacts['contact_time'][number]:.3g} ms")

@@ -3,10 +3,13 @@
 The dotted line is the stop: the hammer touches it where the lines meet. At gap 0 it coincides with the cart's line. The
 exact peak of each impact lies on the force line, which is sampled elsewhere."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Reals
 from ..plotting import axes
 from ..plotting.picture import picture
 from . import trace_look
@@ -46,9 +49,10 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
     return panels
 
 
-def _draw_force(ax, file):
+def _draw_force(ax: Axes, file: TraceFile) -> None:
     time = file.motion["time"]
     force, unit = trace_look.force(file, file.motion["force_ratio"])
+    assert file.impacts is not None
     touches, maxima = file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0]
     places = np.searchsorted(time, touches)
     ax.plot(np.insert(time, places, touches), np.insert(force, places, maxima), **trace_look.FORCE_LINE)
@@ -57,24 +61,25 @@ def _draw_force(ax, file):
     trace_look.second_force_scale(ax, file)
 
 
-def _near_the_hammer(file):
+def _near_the_hammer(file: TraceFile) -> bool:
     """Whether the stop has its own line, close enough not to compress the motion. At gap 0 it coincides with the cart's."""
-    gap, reach = file.number("gap_ratio"), np.max(file.motion["relative_displacement_ratio"])
+    gap, reach = file.number("gap_ratio"), float(np.max(file.motion["relative_displacement_ratio"]))
     return gap is not None and gap != 0 and gap < 2 * max(reach, 1)
 
 
-def _draw_displacements(ax, file, time, shows_stop):
+def _draw_displacements(ax: Axes, file: TraceFile, time: Reals, shows_stop: bool) -> None:
     motion = file.motion
     for name, line in (("hammer", trace_look.HAMMER_LINE), ("cart", trace_look.CART_LINE)):
         values, unit = trace_look.displacement(file, motion[f"{name}_displacement_ratio"])
         ax.plot(time, values, **line)
-    if shows_stop:
-        stop, unit = trace_look.displacement(file, motion["cart_displacement_ratio"] + file.number("gap_ratio"))
+    gap = file.number("gap_ratio")
+    if shows_stop and gap is not None:
+        stop, unit = trace_look.displacement(file, motion["cart_displacement_ratio"] + gap)
         ax.plot(time, stop, **trace_look.STOP_LINE)
     ax.set_ylabel(f"displacement ({unit})")
 
 
-def _cycles_on_top(ax, motion, file):
+def _cycles_on_top(ax: Axes, motion: Mapping[str, Reals], file: TraceFile) -> None:
     per_second = (motion["cycle"][-1] - motion["cycle"][0]) / (motion["time"][-1] - motion["time"][0])
     top = ax.secondary_xaxis("top", functions=(lambda t: t * per_second, lambda n: n / per_second))
     top.set_xlabel("forcing cycles" if file.excitation_hz else "natural periods", fontsize=8)

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Integers, Reals
 from ..plotting import axes
 from ..plotting.picture import picture
 from . import trace_look
@@ -42,7 +43,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> Axes:
     return ax
 
 
-def _before(time, at, index, *columns):
+def _before(time: Reals, at: Reals, index: Integers, *columns: Reals) -> list[Reals]:
     """Columns extrapolated to these times from the two preceding samples, since the motion changes at a touch."""
     last = np.clip(index - 1, 1, len(time) - 1)
     share = (at - time[last - 1]) / (time[last] - time[last - 1])

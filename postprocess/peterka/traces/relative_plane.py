@@ -5,9 +5,10 @@ chaos, which takes hundreds of cycles to appear ([trace] cycles)."""
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..arrays import Integers
+from ..arrays import Integers, Reals
 from ..files.regimes import CHAOTIC
 from ..plotting import axes
 from ..plotting.picture import picture
@@ -59,13 +60,13 @@ def strobe(file: TraceFile) -> Integers:
     return np.flatnonzero(np.abs(cycle - np.rint(cycle)) < 1e-6)
 
 
-def _least_span(way, points):
+def _least_span(way: Reals, points: Integers) -> tuple[Reals, Reals]:
     """Two corners about the middle of these points, at which the axes end at the nearest."""
     middle, half = (way[points].min(axis=0) + way[points].max(axis=0)) / 2, LEAST_SPAN / 2 * np.ptp(way, axis=0)
     return middle - half, middle + half
 
 
-def _finished(figure, ax, file, extra=""):
+def _finished(figure: Figure, ax: Axes, file: TraceFile, extra: str = "") -> Axes:
     gap = file.number("gap_ratio")
     unit = trace_look.displacement(file, 0.0)[1]
     if _shows_stop(file):
@@ -77,15 +78,15 @@ def _finished(figure, ax, file, extra=""):
     return ax
 
 
-def _handle(points, size):
+def _handle(points: Integers, size: float) -> Line2D | None:
     return Line2D([], [], label="forcing phase 0", markersize=size, **STROBE) if len(points) else None
 
 
-def _shows_stop(file):
+def _shows_stop(file: TraceFile) -> bool:
     """Draws the stop if close enough not to compress the motion."""
     gap, moved = file.number("gap_ratio"), file.motion["relative_displacement_ratio"]
-    return gap is not None and gap <= moved.max() + max(np.ptp(moved), 0.1)
+    return gap is not None and bool(gap <= moved.max() + max(float(np.ptp(moved)), 0.1))
 
 
-def _stop_handle(file):
+def _stop_handle(file: TraceFile) -> list[Line2D]:
     return [Line2D([], [], label="stop, $u$ = gap", **trace_look.STOP_LINE)] if _shows_stop(file) else []

@@ -7,6 +7,7 @@ springs' oscillation in flight. It does not contain structural resonances seen i
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..arrays import Reals
 from ..plotting import axes, figures
 from ..plotting.picture import picture
 from . import trace_look
@@ -46,7 +47,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     return grid
 
 
-def _draw(ax, frequency, amplitude, colour, label, name):
+def _draw(ax: Axes, frequency: Reals, amplitude: Reals, colour: str, label: str, name: str) -> None:
     shown = (frequency > 0) & (amplitude > 0)
     x, y = frequency[shown], amplitude[shown]
     floor = max(LEAST * y.max(), y.min() / 2)

@@ -32,7 +32,7 @@ MAX_ROWS = 10_000_000
 class HardestImpact:
     """Close-up of one impact: its motion, its index among the impacts, and its peak (None on a rigid stop)."""
 
-    motion: dict[str, np.ndarray]
+    motion: dict[str, Reals]
     number: int
     peak_time: float | None  # s since the trace began
     peak_force_ratio: float | None
@@ -83,7 +83,7 @@ class TraceFile(OpenedFile):
             raise self.refusal(f"has {group}{names[0]} of shape {shape}; 1 to {MAX_ROWS} can be drawn")
         return {name: self._numbers(group + name, shape) for name in names}
 
-    def _numbers(self, name, shape):
+    def _numbers(self, name: str, shape: tuple[int, ...] | None) -> Reals:
         self.data.dataset(name, shape, REAL)
         values = np.asarray(self.data.values(name, ...), dtype=float)
         if not name.startswith("impacts/") and not np.isfinite(values).all():

@@ -31,11 +31,11 @@ def force(file: TraceFile, ratio: Any) -> tuple[Any, str]:
     return factor * ratio, unit
 
 
-def _force_scale(file):
+def _force_scale(file: TraceFile) -> tuple[float, str]:
     if not file.newtons or style.current().units == "ratio":
         return 1.0, "$mg$"
     forces = [file.motion["force_ratio"]] + ([] if file.impacts is None else [file.impacts["peak_force_ratio"]])
-    largest = max(np.max(np.nan_to_num(values), initial=0) for values in forces)
+    largest = max(float(np.max(np.nan_to_num(values), initial=0)) for values in forces)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     return factor * file.newtons, unit
 
