@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import scipy.optimize
 from peterka.second_proof import cells, guessing, shooting
 from peterka.second_proof.balls import Ball, Undecided, one, sine_cosine
 from peterka.second_proof.cells import CONFIRMED, CONTRADICTED, NOT_DECIDED, Claim, rig_of, verdict_of
@@ -92,11 +93,11 @@ def test_a_rig_by_other_keys_is_the_same():
               "cart.amplitude_m": 0.89e-3, "contact.stiffness_n_per_m": 5.5e6, "contact.damping_ns_per_m": 1200.0,
               "operating_point.frequency_hz": 1.4 * 4.5, "operating_point.gap_m": 0.1 * 0.89e-3}
     one_rig, other = rig_of(NUMBERS), rig_of(others)
-    for name in ("frequency", "damping_ratio", "stiffness", "damping", "gap", "cubic", "force_unit"):
+    for name in ("frequency", "damping_ratio", "stiffness", "damping", "gap", "cubic", "unit"):
         assert float(getattr(one_rig, name)) == pytest.approx(float(getattr(other, name)), rel=1e-14), name
     assert float(rig_of(ABSOLUTE).cubic) == pytest.approx(238.23 * 0.89e-3**2 / (0.298 * omega**2), rel=1e-14)
     assert rig_of(ABSOLUTE).absolute and not one_rig.absolute and one_rig.cubic.size == 0
-    assert float(one_rig.force_unit) == pytest.approx(omega**2 * 0.89e-3 / 9.80665, rel=1e-14)
+    assert float(one_rig.unit) == pytest.approx(omega**2 * 0.89e-3 / 9.80665, rel=1e-14)
 
 
 @cache
@@ -119,11 +120,11 @@ def proved():
 
 def test_each_number_of_a_claim_is_compared(proved):
     verdict = proved[1]
-    low, high, tiny = CLAIM.force_lower, CLAIM.force_upper, 1e-9
-    assert verdict() == cells.Verdict(CONFIRMED) == verdict(force_lower=low - tiny) == verdict(stability_margin=0.999 * CLAIM.stability_margin)
+    low, high, tiny = CLAIM.lower, CLAIM.upper, 1e-9
+    assert verdict() == cells.Verdict(CONFIRMED) == verdict(lower=low - tiny) == verdict(stability_margin=0.999 * CLAIM.stability_margin)
     for changes, words in (
-            ({"force_lower": high + tiny, "force_upper": high + 2 * tiny}, "its largest force is 38.32160629336"),
-            ({"force_lower": low - 2 * tiny, "force_upper": low - tiny}, "its largest force is 38.32160629336"),
+            ({"lower": high + tiny, "upper": high + 2 * tiny}, "its largest force is 38.32160629336"),
+            ({"lower": low - 2 * tiny, "upper": low - tiny}, "its largest force is 38.32160629336"),
             ({"stability_margin": 1.001 * CLAIM.stability_margin}, "it is less stable"),
             ({"impacts": 2}, "it touches the stop 1 times, not 2"), ({"impacts": 0}, "it touches the stop 1 times, not 0")):
         found = verdict(**changes)
@@ -213,3 +214,117 @@ def test_a_guess_begins_in_the_middle_of_its_longest_flight():
     assert touch - guess.time == pytest.approx(guess.time + 2 - release, abs=1e-5)
     end = solve_ivp(change_of(LATER, False), (guess.time, touch), guess.state, "DOP853", rtol=1e-12, atol=1e-13).y[0, -1]
     assert end == pytest.approx(0.1, abs=1e-7)
+
+
+RIGID = {"hammer.mass_kg": 1.2, "hammer.natural_frequency_hz": 22.0, "hammer.damping_ratio": 0.015, "cart.amplitude_m": 0.6e-3,
+         "contact.law": "restitution", "contact.coefficient": 0.6, "operating_point.frequency_ratio": 1.7, "operating_point.gap_ratio": 0.3}
+
+
+def single_impact(numbers, cycles, pierces=False):
+    """The orbit of one impact in `cycles`, in closed form but for two unknowns (Peterka 1974): (its state at phase 0 as x - y and x' - y' in
+    A0 and A0 omega, impact speed [m/s], margin of stability, time of the impact [turns]). Of the motion with the period, det = r^2 exp(-2 zeta T) and the trace is that
+    of its saltation and flight. `pierces`: one that would go through the stop on its way instead, stable or not."""
+    eta, zeta, gap, r = (numbers[f"{name}"] for name in ("operating_point.frequency_ratio", "hammer.damping_ratio", "operating_point.gap_ratio",
+                                                        "contact.coefficient"))
+    response, rate, length = eta**2 / (1 - eta**2 + 2j * zeta * eta), np.sqrt(1 - zeta**2), 2 * np.pi * cycles / eta
+
+    def steady(t):
+        turned = response * np.exp(1j * eta * t)
+        return np.array([turned.imag, (1j * eta * turned).imag])
+
+    def flow(t):
+        c, s = np.exp(-zeta * t) * np.cos(rate * t), np.exp(-zeta * t) * np.sin(rate * t) / rate
+        return np.array([[c + zeta * s, s], [-s, c - zeta * s]])
+
+    def closes(unknown):
+        t, v = unknown
+        end = flow(length) @ (np.array([gap, -r * v]) - steady(t)) + steady(t + length)
+        return end - [gap, v]
+
+    starts = [(t, v) for t in np.linspace(0, 2 * np.pi / eta, 12, endpoint=False) for v in (0.5, 2.0, 4.0)]
+    found = [root.x for root in (scipy.optimize.root(closes, start, tol=1e-14) for start in starts) if root.success and root.x[1] > 0.1]
+    for t, v in found:
+        t %= 2 * np.pi / eta
+        before, after = (-gap - 2 * zeta * w + eta**2 * np.sin(eta * t) for w in (v, -r * v))
+        monodromy = flow(length) @ np.array([[-r, 0], [(after + r * before) / v, -r]])
+        trace, determinant = np.trace(monodromy), np.linalg.det(monodromy)
+        margin = min(1 - determinant, 1 + determinant - abs(trace))
+        inside = flow(np.linspace(0, length, 400)[1:-1])
+        path = inside[0, 0] * (gap - steady(t)[0]) + inside[0, 1] * (-r * v - steady(t)[1]) + steady(t + np.linspace(0, length, 400)[1:-1])[0]
+        if (path.max() > gap + 0.1) if pierces else (margin > 0 and path.max() < gap):
+            wait = cycles * 2 * np.pi / eta - t if t > 0 else 0.0
+            state = flow(wait) @ (np.array([gap, -r * v]) - steady(t)) + steady(0.0)
+            return state, v * numbers["cart.amplitude_m"] * 2 * np.pi * numbers["hammer.natural_frequency_hz"], margin, eta * t / (2 * np.pi)
+    raise AssertionError("no stable orbit of a single impact")
+
+
+def rigid_claim(numbers, cycles):
+    (u, w), speed, margin, _ = single_impact(numbers, cycles)
+    return Claim(1, cycles, u, w, speed * (1 - 1e-12), speed * (1 + 1e-12), margin * (1 - 1e-9))
+
+
+@pytest.mark.parametrize("changes, cycles", [({}, 1), ({"contact.coefficient": 0.9}, 1), ({"operating_point.frequency_ratio": 1.3,
+                                             "operating_point.gap_ratio": 1.5}, 1), ({"operating_point.frequency_ratio": 4.0}, 2)])
+def test_an_orbit_of_a_rigid_stop_in_closed_form_is_confirmed(changes, cycles):
+    numbers = RIGID | changes
+    assert verdict_of(numbers, rigid_claim(numbers, cycles)) == cells.Verdict(CONFIRMED)
+
+
+def test_each_number_of_a_rigid_stop_is_compared():
+    claim = rigid_claim(RIGID, 1)
+    for changes, words in (({"lower": claim.upper * (1 + 1e-9), "upper": claim.upper * (1 + 2e-9)}, "its largest impact speed is"),
+                           ({"lower": claim.lower * (1 - 2e-9), "upper": claim.lower * (1 - 1e-9)}, "its largest impact speed is"),
+                           ({"stability_margin": claim.stability_margin * 1.001}, "it is less stable"),
+                           ({"impacts": 2}, "it touches the stop 1 times, not 2"), ({"impacts": 2, "period": 2}, "it repeats itself after 1 cycles")):
+        found = verdict_of(RIGID, replace(claim, **changes))
+        assert found.word == CONTRADICTED and found.why.startswith(words), (changes, found)
+    for other in ({"contact.coefficient": 0.6001}, {"operating_point.gap_ratio": 0.3001}, {"hammer.damping_ratio": 0.0151}):
+        assert verdict_of(RIGID | other, claim).word != CONFIRMED, other
+
+
+def test_a_rebound_is_the_derivative_of_its_motions():
+    """The derivative of q cycles through a bounce, against differences of motions by scipy's integrator."""
+    claim = rigid_claim(RIGID, 1)
+    rig = rig_of(RIGID)
+    guess = guessing.guess_of(rig, claim.displacement, claim.velocity, 1)
+    start = tuple(map(Ball.of, guess.state))
+    flow = shooting.Shot(rig, guess, start, 1 << 100).passage().flow
+    step, ends = 1e-6, {}
+    for n, sign in ((n, sign) for n in (0, 1) for sign in (1, -1)):
+        state = np.array(guess.state) + sign * step * np.eye(2)[n]
+        ends[n, sign] = guessing.Simulation(rig, state, guess.time).run(guess.time + 1).state
+    for n in (0, 1):
+        differences = (ends[n, 1] - ends[n, -1]) / (2 * step)
+        assert [float(row[n]) for row in flow] == pytest.approx(differences, rel=1e-5, abs=1e-6)
+
+
+def test_a_path_through_a_rigid_stop_is_no_orbit():
+    """One that closes, and goes through the stop on its way to the impact."""
+    eta = 0.9
+    numbers = RIGID | {"operating_point.frequency_ratio": eta, "operating_point.gap_ratio": 0.1}
+    (u, w), _, _, time = single_impact(numbers, 1, pierces=True)
+    guess = shooting.Guess(0.0, (u, w * 2 * np.pi / eta), [(time, shooting.BOUNCE)], 1)
+    with pytest.raises(Undecided, match="a leg that nearly has another event"):
+        shooting.prove(rig_of(numbers), guess, 1 << 100, ())
+
+
+def test_the_way_to_an_impact_is_shown_to_its_end(monkeypatch):
+    told = []
+    monkeypatch.setattr(shooting.Shot, "_show", lambda _, step, until, event: told.append(event))
+    claim = rigid_claim(RIGID, 1)
+    guess = guessing.guess_of(rig_of(RIGID), claim.displacement, claim.velocity, 1)
+    shooting.Shot(rig_of(RIGID), guess, tuple(map(Ball.of, guess.state)), 1 << 100)
+    assert told.count(shooting.BOUNCE) == 1 < len(told) and set(told) == {"", shooting.BOUNCE}
+
+
+def test_after_an_impact_the_hammer_surely_leaves():
+    claim = rigid_claim(RIGID, 1)
+    guess = guessing.guess_of(rig_of(RIGID), claim.displacement, claim.velocity, 1)
+    with pytest.raises(Undecided, match="an impact that another may follow at once"):
+        shooting.Shot(rig_of(RIGID | {"contact.coefficient": 0.0}), guess, tuple(map(Ball.of, guess.state)), 1 << 100)
+
+
+def test_impacts_that_end_in_rest_are_not_decided():
+    found = verdict_of(RIGID | {"contact.coefficient": 0.2, "operating_point.frequency_ratio": 0.7, "operating_point.gap_ratio": 0.0},
+                       replace(rigid_claim(RIGID, 1), displacement=-0.1, velocity=0.0))
+    assert found.word == NOT_DECIDED

@@ -4,7 +4,7 @@
 
 Takes certified periodic cells, spread evenly over the file, and prints a line for each that is not decided or contradicted
 (with --all-words for each), then counts. Confirmed: exactly one orbit lies in a box near the cell's; its q is the smallest period,
-its p, its stability and its largest force are as the file tells. The job needs [certificate], and fields = ["orbit"] in [output].
+its p, its stability and its largest force, or impact speed on a rigid stop, are as the file tells. The job needs [certificate], and fields = ["orbit"] in [output].
 A cell takes half a second with linear springs; with a cubic one seconds, some a minute and more.
 Exit codes: 0 no cell is contradicted; 1 one is; 2 a file cannot be read.
 """
@@ -26,8 +26,7 @@ from ..second_proof.cells import CONFIRMED, CONTRADICTED, NOT_DECIDED, Claim, ax
 from .command_line import BAD_INPUT, DONE, OneLineParser, complain, exit_code, tell
 
 CONTRADICTION = 1
-CLAIMED = ("impacts", "period", "orbit_displacement", "orbit_velocity", "peak_force_lower_ratio", "peak_force_upper_ratio",
-           "stability_margin")
+BOUNDS = {"kelvin_voigt": ("peak_force_lower_ratio", "peak_force_upper_ratio"), "restitution": ("impact_speed_lower", "impact_speed_upper")}
 
 
 def main() -> int:
@@ -63,17 +62,19 @@ def claims_of(file: PeterkaFile, cells: int, max_period: int) -> Iterator[tuple[
     """(place in words, numbers by table and key, claim) of certified periodic cells with q up to `max_period`, `cells` of them."""
     if file.kind != "map":
         raise file.refusal(f"is a {file.kind}; this program proves cells of maps")
-    if not all(file.data.has(name) for name in ("certified", *CLAIMED)):
-        raise file.refusal('has no proofs with orbits; its job needs [certificate], and "orbit" among the fields of [output]')
     tables = tables_of(file.data.attribute("job"))
-    if tables["contact"]["law"] != "kelvin_voigt":
-        raise file.refusal("has another stop than a spring and dashpot; this program proves cells of those alone")
-    values = {name: file.data.values(name, slice(None)) for name in ("regime", "certified", *CLAIMED)}
+    bounds = BOUNDS.get(tables["contact"]["law"])
+    if bounds is None:
+        raise file.refusal("has another stop than a spring and dashpot or a rigid one; this program proves cells of those alone")
+    claimed = ("impacts", "period", "orbit_displacement", "orbit_velocity", *bounds, "stability_margin")
+    if not all(file.data.has(name) for name in ("certified", *claimed)):
+        raise file.refusal('has no proofs with orbits; its job needs [certificate], and "orbit" among the fields of [output]')
+    values = {name: file.data.values(name, slice(None)) for name in ("regime", "certified", *claimed)}
     columns, rows = ((path, file.data.values(name, slice(None))) for path, name in axes_of(tables))
     wanted = np.argwhere((values["regime"] == PERIODIC) & (values["certified"] > 0) & (values["period"] <= max_period))
     for row, column in wanted[np.unique(np.linspace(0, len(wanted) - 1, min(cells, len(wanted))).astype(int))]:
         axes = {columns[0]: float(columns[1][column]), rows[0]: float(rows[1][row])}
-        claim = Claim(*(values[name][row, column].item() for name in CLAIMED))
+        claim = Claim(*(values[name][row, column].item() for name in claimed))
         yield ", ".join(f"{name} {value:.6g}" for name, value in axes.items()), numbers_of_cell(tables, axes), claim
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from .balls import Ball, Undecided, one, pi, zero
 from .guessing import guess_of
 from .motion import Rig
-from .shooting import TOUCH, Guess, Orbit, growth_of, prove
+from .shooting import BOUNCE, TOUCH, Guess, Orbit, growth_of, prove
 
 CONFIRMED, NOT_DECIDED, CONTRADICTED = "confirmed", "not decided", "contradicted"
 MOST_GROWTH = {False: 400, True: 130}  # bits that balls may lose on the way, without and with the cubic spring, which costs more
@@ -20,14 +20,15 @@ ALTERNATIVES = {"frequency_hz": "frequency_ratio", "gap_m": "gap_ratio", "natura
 
 @dataclass(frozen=True)
 class Claim:
-    """p, q, the state at phase 0 as (x - y)/A0 and (x' - y')/(A0 omega), bounds of F/(m g0), and the margin of stability."""
+    """p, q, the state at phase 0 as (x - y)/A0 and (x' - y')/(A0 omega), bounds of the largest F/(m g0) or, of a rigid stop, impact speed
+    [m/s], and the margin of stability."""
 
     impacts: int
     period: int
     displacement: float
     velocity: float
-    force_lower: float
-    force_upper: float
+    lower: float
+    upper: float
     stability_margin: float
 
 
@@ -77,19 +78,20 @@ def rig_of(numbers: Mapping[str, Any]) -> Rig:
     else:
         stiffness = ball("hammer.stiffness_n_per_m")
         omega = (stiffness / mass).sqrt()
-    impedance = mass * omega
+    impedance, rigid = mass * omega, numbers.get("contact.law") == "restitution"
     by_frequency, by_gap = "operating_point.frequency_hz" in numbers, "operating_point.gap_m" in numbers
     return Rig(
         frequency=pi().times(2) * ball("operating_point.frequency_hz") / omega if by_frequency else ball("operating_point.frequency_ratio"),
         damping_ratio=ball("hammer.damping_ratio") if "hammer.damping_ratio" in numbers
         else ball("hammer.damping_ns_per_m") / impedance.times(2),
-        stiffness=ball("contact.stiffness_n_per_m") / stiffness,
-        damping=ball("contact.damping_ns_per_m") / impedance,
+        stiffness=zero() if rigid else ball("contact.stiffness_n_per_m") / stiffness,
+        damping=zero() if rigid else ball("contact.damping_ns_per_m") / impedance,
         gap=ball("operating_point.gap_m") / amplitude if by_gap else ball("operating_point.gap_ratio"),
         cubic=Ball.of(float(numbers.get("hammer.cubic_stiffness_n_per_m3", 0))) * amplitude * amplitude / stiffness
         if numbers.get("hammer.cubic_stiffness_n_per_m3") else zero(),
         absolute=numbers.get("hammer.cubic") == "absolute",
-        force_unit=omega * omega * amplitude / (Ball.of(980665) / Ball.of(100000)))
+        unit=omega * amplitude if rigid else omega * omega * amplitude / (Ball.of(980665) / Ball.of(100000)),
+        restitution=ball("contact.coefficient") if rigid else None)
 
 
 def verdict_of(numbers: Mapping[str, Any], claim: Claim) -> Verdict:
@@ -135,7 +137,7 @@ def _compared(claim: Claim, rig: Rig, guess: Guess, orbit: Orbit, radius: int) -
         if not any(x.apart(y) for x, y in zip(state, orbit.start, strict=True)):
             _show_shorter(rig, guess, orbit, radius, claim.period // part)
             return Verdict(CONTRADICTED, f"it repeats itself after {claim.period // part} cycles")
-    impacts = sum(event == TOUCH for _, event in guess.events)
+    impacts = sum(event in (TOUCH, BOUNCE) for _, event in guess.events)
     if impacts != claim.impacts:
         return Verdict(CONTRADICTED, f"it touches the stop {impacts} times, not {claim.impacts}")
     margins = (one() - orbit.determinant, one() + orbit.determinant, one() + orbit.determinant - orbit.trace,
@@ -146,9 +148,10 @@ def _compared(claim: Claim, rig: Rig, guess: Guess, orbit: Orbit, radius: int) -
         raise Undecided("a multiplier that can't be told from the unit circle")
     if min(margin.high for margin in margins) < Ball.of(claim.stability_margin).low:
         return Verdict(CONTRADICTED, "it is less stable")
-    force = orbit.force * rig.force_unit
-    if force.apart(Ball.between(Ball.of(claim.force_lower).low, Ball.of(claim.force_upper).high)):
-        return Verdict(CONTRADICTED, f"its largest force is {float(force):.15g} weights")
+    largest = orbit.force * rig.unit
+    if largest.apart(Ball.between(Ball.of(claim.lower).low, Ball.of(claim.upper).high)):
+        told = f"force is {float(largest):.15g} weights" if rig.restitution is None else f"impact speed is {float(largest):.15g} m/s"
+        return Verdict(CONTRADICTED, f"its largest {told}")
     return Verdict(CONFIRMED)
 
 

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from ..arrays import Reals
 from .balls import Undecided
 from .motion import Rig
-from .shooting import RELEASE, RENEWED, TOUCH, Guess
+from .shooting import BOUNCE, RELEASE, RENEWED, TOUCH, Guess
 
 MOST_EVENTS = 400
 TAU = 2 * np.pi
@@ -22,15 +22,18 @@ class Simulation:
     def __init__(self, rig: Rig, state: Reals, time: float = 0.0) -> None:
         self._turn, self._zeta, self._kappa = TAU / float(rig.frequency), float(rig.damping_ratio), float(rig.stiffness)
         self._chi, self._gap, self._gamma, self._absolute = float(rig.damping), float(rig.gap), float(rig.cubic), rig.absolute
+        self._restitution = None if rig.restitution is None else float(rig.restitution)
         self.state, self.time = np.asarray(state, dtype=float), time
         self.events: list[tuple[float, str]] = []
-        self._pressed = self._about_to_press(time, self.state) > 0
+        self._pressed = self._restitution is None and self._about_to_press(time, self.state) > 0
 
     def _pressure(self, _: float, state: Reals) -> float:
         value: float = self._kappa * (state[0] - self._gap) + self._chi * state[1] / self._turn
         return value
 
     def _about_to_press(self, time: float, state: Reals) -> float:
+        if self._restitution is not None:
+            return float(state[0] - self._gap)
         return min(self._kappa * float(state[0] - self._gap), self._pressure(time, state)) + 0.0
 
     def _change(self, time: float, state: Reals) -> list[float]:
@@ -52,6 +55,12 @@ class Simulation:
             self.time, self.state = path.t[-1], path.y[:, -1]
             if path.status != 1:
                 return self
+            if self._restitution is not None:
+                self.events.append((self.time, BOUNCE))
+                self.state = np.array([self._gap, -self._restitution * self.state[1]])
+                if not self.state[1] < -1e-6 or len(self.events) > MOST_EVENTS:
+                    raise Undecided("impacts that end in rest on the stop")
+                continue
             deep = self._kappa * (self.state[0] - self._gap) > 1e-9 * (1 + self._chi * abs(self.state[1]) / self._turn)
             self.events.append((self.time, RELEASE if self._pressed else RENEWED if deep else TOUCH))
             self._pressed = not self._pressed
@@ -79,7 +88,8 @@ def guess_of(rig: Rig, displacement: float, velocity: float, period: int) -> Gue
     if not events:
         raise Undecided("the orbit meets no stop")
     times = [time for time, _ in events]
-    flights = [(after - time, time) for (time, kind), after in zip(events, [*times[1:], times[0] + period], strict=True) if kind == RELEASE]
+    flights = [(after - time, time) for (time, kind), after in zip(events, [*times[1:], times[0] + period], strict=True)
+               if kind in (RELEASE, BOUNCE)]
     longest, release = max(flights, default=(0.0, 0.0))
     begin = round((release + longest / 2) % period * 2**20) / 2**20
     state = Simulation(rig, state).run(begin).state

@@ -4,7 +4,7 @@
 
 and steps along it. u is the distance of hammer and cart in A0; with s = 2 pi/eta flight has D = 2 zeta s, K = s^2, f0 = 0 and
 contact D = s (2 zeta + chi), K = s^2 (1 + kappa), f0 = s^2 kappa g, and C = s^2 gamma in both. The stop's force in k A0 is
-P = kappa (u - g) + chi u'/s.
+P = kappa (u - g) + chi u'/s. From a rigid stop, du/dT = w rebounds as -r w.
 
 A step encloses all motions from a box by their Taylor series in theta, T = T0 + h theta, 0 <= theta <= 1. The last coefficient
 is that of the Lagrange remainder: it is taken at all states that the motions meet meanwhile.
@@ -23,7 +23,8 @@ Pair = tuple[Ball, Ball]  # u and du/dT
 
 @dataclass(frozen=True)
 class Rig:
-    """The numbers of a cell: eta, zeta, kappa, chi, g, gamma, and F/(m g0) of one k A0; `absolute`: c is of x^3 - y^3."""
+    """The numbers of a cell: eta, zeta, kappa, chi, g, gamma; `absolute`: c is of x^3 - y^3; `unit`: F/(m g0) of one k A0. Of a rigid
+    stop, kappa and chi are 0, `restitution` is r, and `unit` the m/s of one A0 omega."""
 
     frequency: Ball
     damping_ratio: Ball
@@ -32,7 +33,8 @@ class Rig:
     gap: Ball
     cubic: Ball
     absolute: bool
-    force_unit: Ball
+    unit: Ball
+    restitution: Ball | None = None
 
     def turn(self) -> Ball:
         """s: omega t during one turn."""

@@ -2,8 +2,8 @@
 derivative of the last state with respect to the first. If Newton's interval operator maps the box into itself, exactly one
 motion of the box has the period q.
 
-What a leg between two events must show of each of its moments: in flight that u < g or P < 0, in contact that P > 0. Next to an
-event, where these hold by less than the box is wide, the sign of a slope takes their place.
+What a leg between two events must show of each of its moments: in flight that u < g or P < 0 (before a rigid stop that u < g), in contact
+that P > 0. Next to an event, where these hold by less than the box is wide, the sign of a slope takes their place.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from .balls import Ball, Series, Undecided, from_0_to, one, sine_cosine, zero
 from .motion import Pair, Phase, Rig, Step
 
-TOUCH, RELEASE, RENEWED = "touch", "release", "renewed contact"
-_DIRECTION = {TOUCH: 1, RELEASE: -1, RENEWED: 1}  # in which its surface is crossed
+TOUCH, RELEASE, RENEWED, BOUNCE, REBOUND = "touch", "release", "renewed contact", "bounce", "rebound"
+_DIRECTION = {TOUCH: 1, RELEASE: -1, RENEWED: 1, BOUNCE: 1, REBOUND: -1}  # in which its surface is crossed
 SMALLEST_PIECE = 2.0**-24  # of a step
 Matrix = tuple[Pair, Pair]
 
@@ -33,7 +33,7 @@ class Guess:
 @dataclass
 class Passage:
     """What q cycles from a box lead to: the last state of its middle, the derivative of the last state with respect to the first,
-    all states of the box at the times that were asked for, and bounds of the largest P."""
+    all states of the box at the times that were asked for, and bounds of the largest P; of a rigid stop of the largest du/(omega dt)."""
 
     end: Pair
     flow: Matrix
@@ -52,7 +52,7 @@ class Shot:
         self._flow: Matrix = ((one(), zero()), (zero(), one()))
         self._last_event = ""  # that next to which the box still is
         self._contacts: list[tuple[Series, int]] = []  # P along each step in contact, until this theta
-        self._jumps: list[Ball] = []  # P next to each first touch
+        self._jumps: list[Ball] = []  # P next to each first touch; du/(omega dt) before each bounce
         self._met: dict[float, Pair] = {}
         for time, event in sorted([*guess.events, *((time, "") for time in stops), (guess.time + guess.period, "")]):
             self._leg(time, event)
@@ -86,7 +86,7 @@ class Shot:
                 raise Undecided("growth too strong for this box")
             step = Step(phase, self._time, length, self._point, cloud)
             if event and steps_left == 1:
-                self._pass(step, event)
+                self._bounce(step) if event == BOUNCE else self._pass(step, event)
                 return
             self._show(step, one().middle, "")
             if self._pressed:
@@ -135,13 +135,51 @@ class Shot:
         self._time = end
         self._pressed, self._last_event = not self._pressed, event
 
+    def _bounce(self, step: Step) -> None:
+        """The same for a bounce from a rigid stop."""
+        flight, r = self._phases[False], self._phases[False].rig.restitution
+        assert r is not None
+        gap = flight.rig.gap
+        of_cloud, of_point = step.penetration(step.cloud), step.penetration(step.point)
+        theta = _zero_of(of_point)
+        before, between, after = _around(of_cloud, theta, 1)
+        point_before, _, point_after = _around(of_point, theta, 1)
+        position, arriving = step.state(step.cloud, between)
+        if not _has_sign(arriving, 1):
+            raise Undecided("an impact without a definite speed (near a grazing)")
+        self._show(step, before.middle, BOUNCE)
+
+        start = self._time + before * step.length
+        end = Ball((self._time + after * step.length).high + 8)
+        sine = sine_cosine(start + from_0_to(end - start))[0]
+        leaving = flight.within(start, end - start, (gap, -(r * arriving)))
+        if self._radius and not _has_sign(leaving[1], -1):
+            raise Undecided("an impact that another may follow at once")
+        self._jumps.append(arriving / flight.turn)
+        a, b = flight.acceleration((gap, arriving), sine), flight.acceleration((gap, -(r * arriving)), sine)
+        saltation = (-r, zero()), ((b + r * a) / arriving, -r)
+        near = _near_identity(flight, (position.hull(leaving[0]), arriving), sine, end - start)
+        self._flow = _product(near, _product(saltation, _product(near, _product(step.flow(before), self._flow))))
+
+        pause = (point_after - point_before) * step.length
+        _, w = step.state(step.point, point_before)
+        w = -(r * (w + from_0_to(pause) * flight.acceleration((position, arriving), sine)))
+        met = leaving[0], leaving[1].hull(w)
+        point = gap + from_0_to(pause) * met[1], w + from_0_to(pause) * flight.acceleration(met, sine)
+        since = self._time + point_after * step.length
+        wait = end - since
+        met = flight.within(since, wait, point)
+        sine = sine_cosine(since + from_0_to(wait))[0]
+        self._point = point[0] + wait * met[1], point[1] + wait * flight.acceleration(met, sine)
+        self._time, self._last_event = end, REBOUND
+
     def _show(self, step: Step, until: int, event: str) -> None:
         """That until this theta, where `event` follows if there is one, the step's motions have no event."""
         if not self._radius:
             return
         delta, pressure = step.penetration(step.cloud), step.pressure(step.cloud)
         slopes = {TOUCH: delta.slope(), RELEASE: pressure.slope()}
-        slopes[RENEWED] = slopes[RELEASE]
+        slopes |= {RENEWED: slopes[RELEASE], BOUNCE: slopes[TOUCH], REBOUND: slopes[TOUCH]}
 
         def is_next_to(event: str, piece: Ball) -> bool:
             return _has_sign(slopes[event].at(piece), _DIRECTION[event])
@@ -266,9 +304,10 @@ def newton_step(passage: Passage, start: Pair) -> Pair:
 
 def growth_of(rig: Rig, guess: Guess) -> int:
     """About how many bits the steps' balls lose on the way, most of them in long contacts."""
-    times = [guess.time, *(time for time, _ in guess.events), guess.time + guess.period]
+    begun = [(guess.time, ""), *guess.events]
+    ends = [*(time for time, _ in guess.events), guess.time + guess.period]
     rates = [Phase(rig, pressed).rate for pressed in (False, True)]
-    return int(1.5 * sum((after - time) * rates[n % 2] for n, (time, after) in enumerate(zip(times, times[1:]))))
+    return int(1.5 * sum((end - time) * rates[event in (TOUCH, RENEWED)] for (time, event), end in zip(begun, ends, strict=True)))
 
 
 def prove(rig: Rig, guess: Guess, radius: int, stops: Iterable[float]) -> Orbit:
