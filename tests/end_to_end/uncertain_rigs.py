@@ -5,6 +5,7 @@ import subprocess
 
 import h5py
 import numpy as np
+from scipy.stats import fisher_exact, norm
 
 import jobs
 import launch
@@ -121,8 +122,8 @@ def outcomes(cells, row, column):
 
 
 def deviations(cells, row, column, rigs, labels, strengths, names=("force_q05_ratio", "force_q50_ratio", "force_q95_ratio")):
-    """How far each probability, and the share of draws below each quantile, is from that of plain draws, in standard errors of both,
-    after what a single draw may change."""
+    """How far each probability, and the share of draws below each quantile, is from that of plain draws, after what a single draw may
+    change, in standard errors of both; of probabilities, as many as are as unlikely as Fisher's exact test says, for outcomes may be rare."""
     count, found = len(labels), []
     told_ones = outcomes(cells, row, column)
     for label in {*told_ones, *labels}:
@@ -130,9 +131,11 @@ def deviations(cells, row, column, rigs, labels, strengths, names=("force_q05_ra
         if label not in told_ones and cells["outcomes"][row, column] > len(told_ones):
             continue  # may be among the others
         mine = told_ones.get(label, 0.0)
-        both = (plain * count + mine * rigs) / (count + rigs)
-        error = np.sqrt(max(both * (1 - both), 1 / (count + rigs)) * (1 / count + 1 / rigs))
-        found.append(max(abs(mine - plain) - 1 / rigs, 0) / error)
+        drawn, ones = round(mine * rigs), round(plain * count)
+        off = drawn - plain * rigs
+        drawn -= int(np.sign(off))
+        exact = fisher_exact([[drawn, rigs - drawn], [ones, count - ones]])[1] if abs(off) > 1 else 1.0
+        found.append(float(norm.isf(exact / 2)))
     known = np.sort(strengths[~np.isnan(strengths)])
     for name, share in zip(names, (0.05, 0.5, 0.95)):
         value = cells[name][row, column] * (1 + 1e-9)
