@@ -64,10 +64,17 @@ Side side(const BranchFindings& found, std::int64_t column, std::int64_t other) 
     return motion_class(cell(column)) == motion_class(cell(other)) ? Side::own_band : Side::other_band;
 }
 
-bool differ(const StoredCell& a, const StoredCell& b) {
-    if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return false;
-    return motion_class(a) != motion_class(b) ||
-           std::abs(a.peak_force - b.peak_force) > 0.01 * std::max(a.peak_force, b.peak_force);
+enum class Compared { alike, different, unknown };
+
+Compared compare(const StoredCell& a, const StoredCell& b) {
+    const auto is_open = [](const StoredCell& cell) {
+        return cell.regime == Regime::unresolved || cell.regime == Regime::failed;
+    };
+    if (is_open(a) || is_open(b)) return Compared::unknown;
+    if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return Compared::alike;
+    const bool differ = motion_class(a) != motion_class(b) ||
+                        std::abs(a.peak_force - b.peak_force) > 0.01 * std::max(a.peak_force, b.peak_force);
+    return differ ? Compared::different : Compared::alike;
 }
 
 }  // namespace
@@ -92,20 +99,23 @@ BranchFindings find_in_branch(const job::Branch& branch, std::vector<StoredCell>
     return found;
 }
 
-std::optional<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down) {
-    std::optional<Stretch> longest;
-    std::int64_t first = 0;  // of the stretch that contains the current column
+std::vector<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down) {
+    std::vector<Stretch> found;
+    std::optional<Stretch> open;
+    const auto close = [&] {
+        if (open && open->last > open->first) found.push_back(*open);
+        open.reset();
+    };
     for (std::int64_t i = 0; i < std::ssize(up.cells); ++i) {
         const auto column = static_cast<std::size_t>(i);
-        if (!differ(up.cells[column], down.cells[column])) {
-            first = i + 1;
-        } else if (i == first) {
-            continue;
-        } else if (!longest || i - first > longest->last - longest->first) {
-            longest = Stretch{first, i};
-        }
+        const Compared compared = compare(up.cells[column], down.cells[column]);
+        if (compared == Compared::alike) close();
+        if (compared != Compared::different) continue;
+        if (!open) open = Stretch{i, i};
+        open->last = i;
     }
-    return longest;
+    close();
+    return found;
 }
 
 }  // namespace peterka

@@ -65,9 +65,9 @@ struct BranchFindings {
 [[nodiscard]] BranchFindings find_in_branch(const job::Branch& branch,
                                             std::vector<quantities::StoredCell> cells);
 
-// The longest stretch in which sweeping up and down lead to different steady motions: a different class, or a
-// peak force that differs by more than 1 %. Points where either motion has no period don't count, and a single
-// point is not a stretch.
-[[nodiscard]] std::optional<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down);
+// The stretches in which sweeping up and down lead to different steady motions: a different class, or a peak
+// force that differs by more than 1 %. Chaotic points end a stretch; unresolved and failed ones neither begin,
+// end nor interrupt one. A single point is not a stretch.
+[[nodiscard]] std::vector<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down);
 
 }  // namespace peterka

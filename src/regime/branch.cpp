@@ -33,7 +33,7 @@ class JumpSearch {
     [[nodiscard]] bool jumps_after(std::int64_t column) const {
         const double change = change_after(column);
         if (!(change > least_change_)) return false;
-        if (!lasts(column, -1) && !lasts(column + 1, 1)) return false;
+        if (!lasts(column, -1) && !lasts(column + 1, 1) && !stands_out(column)) return false;
         return change > 2 * std::max(slope_after(column - 1), slope_after(column + 1));
     }
 
@@ -65,6 +65,17 @@ class JumpSearch {
             if (!same_label(cell(column), cell(column + i * step))) return false;
         }
         return true;
+    }
+
+    // Whether a motion with a period begins or ends, and the change is more than twice each of the four before
+    // and after it.
+    [[nodiscard]] bool stands_out(std::int64_t column) const {
+        constexpr int steps = 4;
+        if (!has_period(cell(column).regime) && !has_period(cell(column + 1).regime)) return false;
+        double beside = 0;
+        for (int i = 1; i <= steps; ++i)
+            beside = std::max({beside, change_after(column - i), change_after(column + i)});
+        return change_after(column) > 2 * beside;
     }
 
     const std::vector<BranchPoint>& points_;

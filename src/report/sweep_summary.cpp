@@ -62,28 +62,43 @@ class Words {
                line("", "bands", bands(found)) + line("", "shares", shares(found));
     }
 
+    // The widest stretches.
     [[nodiscard]] std::string hysteresis(const BranchFindings& up, const BranchFindings& down) const {
-        const auto stretch = find_hysteresis(up, down);
-        if (!stretch) return line("both", "hysteresis", "none");
-        const std::int64_t middle = (stretch->first + stretch->last) / 2;
-        const double width = value(stretch->last) - value(stretch->first);
-        const auto [above, below] = names_apart(at(up, middle), at(down, middle), middle);
-        return line(
-            "both", "hysteresis",
-            fmt::format("{} to {}, width {}: up {}, down {}", at_axis(value(stretch->first)),
-                        at_axis(value(stretch->last)), value_in_words(scene_, key_, width), above, below));
+        const std::vector<Stretch> found = find_hysteresis(up, down);
+        std::vector<Stretch> widest = found;
+        std::ranges::stable_sort(widest, std::ranges::greater{},
+                                 [&](const Stretch& one) { return value(one.last) - value(one.first); });
+        widest.resize(std::min(widest.size(), most_listed));
+        std::ranges::sort(widest, {}, &Stretch::first);
+        std::string text;
+        for (const Stretch& stretch : widest) {
+            text += fmt::format("{}{} to {}, width {}: {}", text.empty() ? "" : next_line,
+                                at_axis(value(stretch.first)), at_axis(value(stretch.last)),
+                                value_in_words(scene_, key_, value(stretch.last) - value(stretch.first)),
+                                motions_along(up, down, stretch));
+        }
+        if (found.size() > widest.size())
+            text += fmt::format("{}and {} narrower", next_line, found.size() - widest.size());
+        return line("both", "hysteresis", text.empty() ? "none" : text);
     }
 
-    // With their forces if both have the same name: these then differ by more than one percent.
-    [[nodiscard]] std::pair<std::string, std::string> names_apart(const StoredCell& a, const StoredCell& b,
-                                                                  std::int64_t column) const {
-        const std::string first = name_of(motion_class(a));
-        const std::string second = name_of(motion_class(b));
-        if (first != second) return {first, second};
-        const auto with_force = [&](const StoredCell& cell) {
-            return fmt::format("{} ({})", first, short_force(cell, column, 4));
-        };
-        return {with_force(a), with_force(b)};
+    // With the forces in the middle if both branches have the same motions: these then differ by more than one
+    // percent.
+    [[nodiscard]] std::string motions_along(const BranchFindings& up, const BranchFindings& down,
+                                            const Stretch& stretch) const {
+        const std::string above = motions(up, stretch);
+        const std::string below = motions(down, stretch);
+        if (above != below) return fmt::format("up {}, down {}", above, below);
+        const std::int64_t middle = (stretch.first + stretch.last) / 2;
+        return fmt::format("{}, at {} up {}, down {}", above, at_axis(value(middle)),
+                           short_force(at(up, middle), middle, 4), short_force(at(down, middle), middle, 4));
+    }
+
+    // "2/2" or "3/2 to 4/2", where the first motion of a stretch and its last one differ.
+    [[nodiscard]] static std::string motions(const BranchFindings& found, const Stretch& stretch) {
+        const std::string first = name_of(motion_class(at(found, stretch.first)));
+        const std::string last = name_of(motion_class(at(found, stretch.last)));
+        return first == last ? first : fmt::format("{} to {}", first, last);
     }
 
     // What the starts of all points found, and which of that no branch visits.

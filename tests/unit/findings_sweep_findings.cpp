@@ -79,10 +79,33 @@ TEST(SweepFindings, BandsAndSharesCoverTheBranch) {
 
 TEST(SweepFindings, HysteresisIsWhereSteadyMotionsDiffer) {
     const auto found = find_hysteresis(rising(), falling());
-    ASSERT_TRUE(found.has_value());
-    EXPECT_EQ(found->first, 1);
-    EXPECT_EQ(found->last, 2);
-    EXPECT_FALSE(find_hysteresis(rising(), rising()).has_value());
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].first, 1);
+    EXPECT_EQ(found[0].last, 2);
+    EXPECT_TRUE(find_hysteresis(rising(), rising()).empty());
+}
+
+TEST(SweepFindings, EachStretchOfHysteresisIsFound) {
+    const StoredCell unresolved{.regime = Regime::unresolved};
+    const auto branch = [](std::vector<StoredCell> cells) {
+        return find_in_branch({0, job::Direction::up}, std::move(cells));
+    };
+    const auto ends = [&](const std::vector<StoredCell>& up, const std::vector<StoredCell>& down) {
+        std::vector<std::pair<std::int64_t, std::int64_t>> found;
+        for (const Stretch& each : find_hysteresis(branch(up), branch(down)))
+            found.emplace_back(each.first, each.last);
+        return found;
+    };
+    using Ends = std::vector<std::pair<std::int64_t, std::int64_t>>;
+    const StoredCell one = orbit(1, 1, 40);
+    const StoredCell two = orbit(2, 1, 50);
+    const StoredCell other = orbit(1, 1, 41);  // by 2.4 %
+    EXPECT_EQ(ends({one, one, one, one, one, one, one}, {two, two, one, other, two, one, two}),
+              (Ends{{0, 1}, {3, 4}}));  // the last one is a single point
+    EXPECT_EQ(ends({one, one, one, one}, {two, unresolved, other, one}), (Ends{{0, 2}}));
+    EXPECT_EQ(ends({one, one, one, one}, {unresolved, two, two, unresolved}), (Ends{{1, 2}}));
+    EXPECT_EQ(ends({one, unresolved, one}, {two, unresolved, one}), Ends{});
+    EXPECT_EQ(ends({one, one, one, one, one}, {two, two, chaos(60), two, two}), (Ends{{0, 1}, {3, 4}}));
 }
 
 TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
@@ -120,6 +143,27 @@ TEST(SweepSummary, IsInHertzMillimetresAndNewtonsWhereTheJobIs) {
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     }
     EXPECT_EQ(text.find("Omega"), std::string::npos) << text;
+}
+
+TEST(SweepSummary, TellsEachHysteresisAndTheMotionsAtItsEnds) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1.0, .to = 2.0, .points = 6};
+    job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::both};
+    const auto told = [&](std::vector<StoredCell> up, std::vector<StoredCell> down) {
+        const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, std::move(up)),
+                                                   find_in_branch({0, job::Direction::down}, std::move(down))};
+        return sweep_text(scene::Scene(job), branches);
+    };
+    const StoredCell one = orbit(1, 1, 40);
+    const StoredCell strong = orbit(1, 1, 60);
+    const std::string text =
+        told({one, one, one, one, one, one}, {orbit(2, 1, 50), orbit(3, 2, 50), one, one, strong, strong});
+    for (const char* words : {"1 (4.5 Hz) to 1.2 (5.4 Hz), width 0.2 (0.9 Hz): up 1/1, down 2/1 to 3/2\n",
+                              "1.8 (8.1 Hz) to 2 (9 Hz), width 0.2 (0.9 Hz): 1/1, at 1.8 (8.1 Hz) up 40 "
+                              "weights, down 60 weights\n"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    }
 }
 
 // Each gap's starts follow its last branch.
@@ -163,8 +207,8 @@ TEST(SweepSummary, TwoMotionsWithOneLabelHaveTheirForces) {
                                                    find_in_branch({0, job::Direction::down}, low)};
         return sweep_text(scene::Scene(job), branches);
     };
-    EXPECT_NE(text(40, 30).find("up 1/1 (40 weights), down 1/1 (30 weights)"), std::string::npos);
-    EXPECT_NE(text(1004, 990.2).find("up 1/1 (1004 weights), down 1/1 (990.2 weights)"), std::string::npos);
+    EXPECT_NE(text(40, 30).find("1/1, at 1.5 (6.75 Hz) up 40 weights, down 30 weights"), std::string::npos);
+    EXPECT_NE(text(1004, 990.2).find("up 1004 weights, down 990.2 weights"), std::string::npos);
 }
 
 TEST(SweepSummary, CallsAMaximumInsideTheBandAResonance) {

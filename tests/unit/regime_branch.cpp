@@ -261,5 +261,23 @@ TEST(Jumps, AreNoneAtWindowsInChaos) {
     EXPECT_EQ(jumps(points), std::vector<std::size_t>{6});
 }
 
+// As where a motion whose impacts change one by one, while its force goes on evenly, ends in chaos.
+TEST(Jumps, StandOutWhereTheMotionBesideThemLastedNotLong) {
+    const auto marked = [](double before_last, std::size_t chaotic) {
+        auto points =
+            with_forces({45, 42, 38, 37, 35, 33, before_last, 85, 85.2, 76, 84, 74}, Regime::periodic);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i].cell.impacts = static_cast<std::int32_t>(i);  // no label lasts
+            if (i >= chaotic) points[i].cell.regime = Regime::chaotic;
+        }
+        mark_jumps(points, Direction::up);
+        return jumps(points);
+    };
+    EXPECT_EQ(marked(30, 7), std::vector<std::size_t>{7});
+    EXPECT_EQ(marked(30, 0), std::vector<std::size_t>());  // no motion with a period begins or ends
+    EXPECT_EQ(marked(6, 7), std::vector<std::size_t>{7});
+    EXPECT_EQ(marked(60, 7), std::vector<std::size_t>());  // 27 and 25: neither stands out
+}
+
 }  // namespace
 }  // namespace peterka::regime
