@@ -51,6 +51,11 @@ def test_the_value_is_the_least_of_the_box(tmp_path, hz, mm, regimes):
     np.testing.assert_allclose(worst, expected)
 
 
+def test_without_a_risk_the_drawn_rigs_are_named(tmp_path, operate):
+    told = operate(write_uncertain(tmp_path / "a.h5"), "--hz", "0", "--mm", "0")[1]
+    assert "of the job's own rig alone: what its 64 drawn rigs reach is told by --risk 0.95" in told
+
+
 def test_the_best_place_is_told_in_words_and_drawn(tmp_path, operate):
     code, told, complaint = operate(write_uncertain(tmp_path / "a.h5"), "--risk", "0.95", "--hz", "0.5", "--mm", "0.1")
     assert (code, complaint) == (0, "")

@@ -121,6 +121,15 @@ def test_colours_are_distinct_in_words_and_grey():
     assert elasticity_map.OTHERS[0][1] not in {colour for colour, _ in looks}
 
 
+def test_in_grey_what_matters_most_is_no_void(tmp_path):
+    path = sample(tmp_path, hammer_mass_kg=0.3, frequency_hz=ramp())
+    with style.using(palette="grey"), PeterkaFile(path) as file:
+        patches = {text.get_text().partition(" (")[0]: patch.get_facecolor()[:3] for text, patch in
+                   zip(*(lambda legend: (legend.get_texts(), legend.get_patches()))(
+                       next(ax.get_legend() for ax in draw_most(file).figure.axes if ax.get_legend())))}
+    assert patches["no elasticity"] == (1, 1, 1) and max(patches["excitation frequency"]) < 0.8
+
+
 def test_grey_hatchings_of_all_numbers_are_drawn_and_differ():
     masks = [fills._strokes(hatch, 240, 240) for _, hatch in NUMBERS.values() if hatch]
     assert all(0.05 < mask.mean() < 0.95 and mask.shape == (240, 240) for mask in masks)

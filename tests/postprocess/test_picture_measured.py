@@ -207,6 +207,18 @@ def test_a_motion_of_all_cells_around_a_point_is_interpolated(tmp_path):
     assert border.force == pytest.approx(12.3) and border.away == pytest.approx((0.25, 0.5))
 
 
+def test_the_swing_without_impact_is_a_motion_of_each_place_that_has_it(tmp_path):
+    """At half the natural frequency the swing reaches 1/3 A0, well below a gap of 1 and above one of 0.2."""
+    write_map(tmp_path / "m.h5", np.full((3, 2, 3), 1), frequency_ratio=np.array([0.5, 0.51]), gap_ratio=np.array([0.2, 1, 2]),
+              job="[hammer]\nmass_kg = 0.298\nnatural_frequency_hz = 4.5\ndamping_ratio = 0.01\n[cart]\namplitude_m = 0.89e-3\n")
+    text = "frequency_ratio,gap_ratio,force_ratio\n0.5,1,0\n0.5,0.2,0\n0.5,0.8,0\n"
+    with PeterkaFile(tmp_path / "m.h5") as file:
+        both, one, between = places_of(file, text, tmp_path)
+    assert [(each.motion.words, each.force) for each in both] == [("no impact", 0), ("1/1", 11)]
+    assert [each.motion.words for each in one] == ["1/1"]
+    assert [(each.motion.words, each.away) for each in between] == [("no impact", (0, pytest.approx(0.2))), ("1/1", None)]
+
+
 def test_a_point_meets_every_attractor_of_its_place(tmp_path, draw):
     """All four cells have 1/1 and, with twice its force, 1/2; only the nearest has 2/2."""
     shape = (2, 2)

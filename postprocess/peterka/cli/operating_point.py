@@ -31,6 +31,7 @@ from ..errors import PeterkaFileError
 from ..files.regimes import PERIODIC
 from ..maps.comparison import label_codes
 from ..maps.map_file import PeterkaFile
+from ..maps.outcomes import draws_of
 from ..operating import fresh_draws, picture, risk, told, verify, words
 from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
 from ..operating.drift import Reach, reach, worst_of_boxes
@@ -91,7 +92,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         less = "a share of the starts (--starts share 0.9)" if starts == ANY else "fewer starts"
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
                            f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}"
-                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift, or {less}")
+                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift{f', or {less}' if starts != JOB else ''}")
     tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
          f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
     if boxes:
@@ -102,6 +103,8 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         tell(line)
     for line in words.best_lines(file, places[0], quantity, fields_at(file, places[0])):
         tell(line)
+    if file.outcome_slots > 0:
+        tell(f"  of the job's own rig alone: what its {draws_of(file).count} drawn rigs reach is told by --risk 0.95")
     if file.is_refined:
         tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
     said = quantity, what[0], "\n".join(filter(None, [what[1], boxes]))

@@ -21,6 +21,7 @@ from ..files.job_numbers import number_of, tables_of
 from ..files.regimes import NOT_COMPUTED, PERIODIC
 from ..plotting import axes, style
 from ..plotting.coordinates import label
+from ..plotting.fills import Fill, grey
 from ..plotting.fills import Fill
 from ..plotting.picture import picture
 from .field_map import scale_colours, without_value
@@ -30,6 +31,7 @@ from .reduce import LIMIT, Reduced, block_size, class_picture, largest, with_edg
 WIDTH = 3.7  # in
 TOP = 95.0  # percentile of the sizes at which the scale ends: near folds they have no bound
 COLOURS = "RdBu_r"
+PLAIN = 70  # lightness in the grey palette of the number that has no hatching
 OTHERS = [("no elasticity", "#CFCFCF", ""), ("not computed yet", "#FFFFFF", "")]
 # Of each number, after which the dataset is named: its colour, and its hatching in the grey palette.
 NUMBERS = {
@@ -98,7 +100,7 @@ def draw_most(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     reduced, counts = _most(file, [of[number] for number in numbers], list(weights.values()))
     if not counts[:len(numbers)].any():
         return None
-    looks = [without_value(*NUMBERS[number]) for number in numbers] + _looks()
+    looks = [_look_of(number) for number in numbers] + _looks()
     words = [spoken(number) for number in numbers] + [text for text, *_ in OTHERS]
     if any(not np.all(np.isfinite(weight)) for weight in weights.values()):
         words[len(numbers)] += ", or an uncertain number is 0"
@@ -200,6 +202,12 @@ def _values(file: PeterkaFile, tables: Mapping[str, Any], path: str) -> float | 
 
 def _result(name: str) -> str:
     return RESULTS[name.partition("_")[0]]
+
+
+def _look_of(number: str) -> str | Fill:
+    """The look of cells in which a number matters most; in grey, one without a hatching has a lightness of its own."""
+    colour, hatch = NUMBERS[number]
+    return Fill(grey(PLAIN)) if style.is_grey() and not hatch else without_value(colour, hatch)
 
 
 def _looks() -> list[str | Fill]:

@@ -49,11 +49,13 @@ PROBABILITIES = {f"probability_{name.removeprefix('share_')}": entry.label for n
 
 
 @picture(PeterkaFile)
-def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: str = IMPACTS) -> Axes:
-    """The probability that a drawn rig ends in a motion: "impacts", "no impact", "chaotic", or p/q."""
+def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: str = IMPACTS) -> Axes | None:
+    """The probability that a drawn rig ends in a motion: "impacts", "no impact", "chaotic", or p/q. None if none does."""
     draws, reduced = draws_of(file), probabilities(file, read_wanted(probability))
     levels, untold = lines_that_draws_tell(draws)
     unkept = _has_others(file, probability)
+    if not unkept and not np.nanmax(reduced.image, initial=0.0) > 0:
+        return None
     waiting = [axes.legend_patch("not computed yet", None, hatched=True)] if file.computed < 1 else []
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [([*_line_handles(levels), *waiting], 3, None)], bar=True, ax=ax)
     axes.hatch_background(ax)

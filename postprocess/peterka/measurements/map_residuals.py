@@ -6,6 +6,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ..files.job_numbers import UnreadableJob, swing_of, tables_of
 from ..files.regimes import NAMES, NOT_COMPUTED, NO_IMPACT, PERIODIC
 from ..plotting.drawn import Plane, PlaneAxis
 from . import tables
@@ -13,6 +14,7 @@ from .matches import Known, Match, Place, around, distance, matches
 from .points import AXES, Point
 
 CELL = ("regime", "impacts", "period", "peak_force_ratio")
+FREE = Known("no impact", "no impact", 0.0, None)
 SLOTS = ("attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share")
 
 
@@ -24,6 +26,9 @@ class Map(Plane, Protocol):
 
     @property
     def slots(self) -> int: ...
+
+    @property
+    def data(self) -> Any: ...
 
     def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]: ...
 
@@ -49,8 +54,19 @@ def _places(file: Map, point: Point) -> list[Place]:
         for column, across in around(file.columns.values, _along(point, file.columns)):
             away = {AXES[axis.name]: distance(_along(point, axis), axis.values[at]) for axis, at in ((file.rows, row), (file.columns, column))}
             known = known_of_cell({name: values[..., 0, column] for name, values in band.items()})
+            if all(one.force > 0 for one in known) and _swings_free(file, row, column):
+                known.append(FREE)
             places.append(Place(upward * across, (away["frequency"], away["gap"]), known))
     return places
+
+
+def _swings_free(file: Map, row: int, column: int) -> bool:
+    """Whether the swing without impact, in closed form, stays away from the stop: a motion that exists, whatever a cell's start leads to."""
+    place = {axis.name: axis.values[[at]] for axis, at in ((file.rows, row), (file.columns, column))}
+    try:
+        return bool(swing_of(tables_of(file.data.attribute("job")), place).room()[0] > 0)
+    except UnreadableJob:
+        return False
 
 
 def _beyond(file: Map, point: Point) -> tuple[float, float]:
