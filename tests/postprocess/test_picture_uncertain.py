@@ -32,7 +32,7 @@ def title_of(ax):
 
 
 @pytest.mark.parametrize("wanted, right", [
-    ("1/1", SHARES[0]), ("no impact", SHARES[1]), ("2/2", SHARES[2]), ("chaotic", SHARES[3]),
+    ("1/1", SHARES[0]), ("no impact", SHARES[1]), ("2/2", SHARES[2]), ("chaotic", SHARES[3]), ("3/2", 0 * SHARES[0]), ("2/1", 0 * SHARES[0]),
     ("impacts", 1 - SHARES[1])])
 def test_the_probability_of_any_motion_is_drawn(tmp_path, wanted, right):
     path = write_uncertain(tmp_path / "a.h5")
@@ -45,6 +45,8 @@ def test_the_probability_of_any_motion_is_drawn(tmp_path, wanted, right):
 
 def test_a_motion_of_no_rig_is_not_drawn(tmp_path, draw):
     path = write_uncertain(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file["outcome_others"][:] = 0
     with PeterkaFile(path) as file:
         assert uncertain_map.draw_probability(file, probability="17/3") is None
     drawn = draw(path, "--formats", "png", "--probability", "17/3", "--only", "probability_17_3")
