@@ -142,31 +142,30 @@ bool settle(const Springs<double>& springs, Family& family) {
 
 // The family's members for all lambda of a rig, and f.
 struct Members {
-    Places places;
-    Interval slack;
+    EnclosedOrbits orbits;
     Interval test;
+
+    [[nodiscard]] const Places& places() const { return orbits.places; }
+    // Whether orbits for one of these lambda are among these.
+    [[nodiscard]] bool hold(const EnclosedOrbits& others) const { return lies_in(others.places, orbits.alone); }
 };
 
 std::optional<Members> members_at_fold(const Here& here, const EventChain& chain, const Fold& fold) {
     const auto all = relaxed_orbits(here.springs, here.approximate, chain, fold.relaxation);
-    if (!all) return std::nullopt;
     const auto one = relaxed_orbits(here.springs, here.approximate, chain, fold.held_at(fold.middle()));
-    if (!one || !lies_in(one->places, all->places) || !lies_in(one->slack, all->slack)) return std::nullopt;
+    if (!all || !one || !lies_in(one->orbits.places, all->orbits.alone)) return std::nullopt;
     const Interval sign(fold.sign);
-    return Members{all->places, all->slack, {(sign * one->slack).lo, (sign * all->slack).hi}};
+    return Members{all->orbits, {(sign * one->slack).lo, (sign * all->slack).hi}};
 }
 
 // From a chain that is settled at the middle of the rig.
 std::optional<Members> members(const Here& here, const Family& family) {
     if (family.event == BranchEvent::fold) return members_at_fold(here, family.chain, family.fold);
-    auto places = orbit_box(here.springs, here.approximate, family.chain);
-    if (!places) return std::nullopt;
-    if (family.event == BranchEvent::grazing) {
-        const Interval delta = (*places)[family.grazing()].along;
-        return Members{std::move(*places), Interval(0), delta};
-    }
-    const Multipliers of_orbit = multipliers(here.springs, family.chain, *places);
-    return Members{std::move(*places), Interval(0), Interval(1) + of_orbit.trace + of_orbit.determinant};
+    const auto orbits = enclosed_orbits(here.springs, here.approximate, family.chain);
+    if (!orbits) return std::nullopt;
+    if (family.event == BranchEvent::grazing) return Members{*orbits, orbits->places[family.grazing()].along};
+    const Multipliers of_orbit = multipliers(here.springs, family.chain, orbits->places);
+    return Members{*orbits, Interval(1) + of_orbit.trace + of_orbit.determinant};
 }
 
 // Whether +-mu surely rises at the lower end of S, and falls at the upper one.
@@ -176,7 +175,7 @@ bool has_its_maximum_inside(const Here& here, const EventChain& chain, const Fol
         EventChain there = chain;
         if (!refine(here.approximate, there, fold.relaxation, s)) return false;
         const auto end = relaxed_orbits(here.springs, here.approximate, there, fold.held_at(s));
-        if (!end || !lies_in(end->places, all.places) || !lies_in(end->slack, all.slack)) return false;
+        if (!end || !all.hold(end->orbits)) return false;
         const Interval slope = Interval(fold.sign) * end->slope;
         if (!(lower ? slope.positive() : slope.negative())) return false;
     }
@@ -210,16 +209,13 @@ Crossed crosses(const Rigs& rigs, Family family, const Interval& within) {
     if (here->springs.flight.is_too_bent()) return Crossed::cubic_spring;
     const auto all = members(*here, family);
     if (!all) return Crossed::no_orbit_enclosed;
-    for (const Members* end : {&low->members, &high->members}) {
-        if (!lies_in(end->places, all->places) || !lies_in(end->slack, all->slack))
-            return Crossed::no_orbit_enclosed;
-    }
+    if (!all->hold(low->members.orbits) || !all->hold(high->members.orbits)) return Crossed::no_orbit_enclosed;
     if (family.event == BranchEvent::fold && !has_its_maximum_inside(*here, family.chain, family.fold, *all))
         return Crossed::not_surely_crossed;
-    for (std::size_t i = 0; i < all->places.size(); ++i) {
-        if (!leg_is_free(here->springs, family.chain, all->places, i)) return Crossed::near_grazing;
+    for (std::size_t i = 0; i < all->places().size(); ++i) {
+        if (!leg_is_free(here->springs, family.chain, all->places(), i)) return Crossed::near_grazing;
     }
-    return has_no_smaller_period(family.chain, all->places) ? Crossed::proved : Crossed::other_label;
+    return has_no_smaller_period(family.chain, all->places()) ? Crossed::proved : Crossed::other_label;
 }
 
 // Where f vanishes, in doubles.
@@ -302,7 +298,7 @@ std::optional<Zero> zero_at_fold(const Rigs& rigs, Family family, double lambda,
         if (!std::isfinite(of_s) || !std::isfinite(of_lambda)) return std::nullopt;
         s -= of_s;
         lambda -= of_lambda;
-        if (std::abs(of_s) > 1e-3 * share * size || std::abs(of_lambda) > 1e-10 * std::abs(lambda)) continue;
+        if (std::abs(of_s) > 0.1 * share * size || std::abs(of_lambda) > 1e-10 * std::abs(lambda)) continue;
         family.fold.sign = bend < 0 ? 1 : -1;
         family.fold.relaxation.held = {s - share * size, s + share * size};
         return Zero{lambda, family.fold.sign * by_lambda, family};
@@ -328,7 +324,7 @@ CrossingProof prove_around(const Rigs& rigs, const Zero& zero) {
 
 CrossingProof prove_fold(const Rigs& rigs, const Family& family, double near) {
     CrossingProof proof{Crossed::no_orbit_found};
-    for (const double share : {1e-6, 1e-5, 1e-4, 1e-3}) {
+    for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
         const std::optional<Zero> zero = zero_at_fold(rigs, family, near, share);
         if (!zero) continue;
         proof = prove_around(rigs, *zero);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "certificate/find_chain.hpp"
 
@@ -142,9 +143,9 @@ class Krawczyk {
     // Of a relaxed chain, for a box that contains the image of a larger one: mu, and mu', the last of the
     // unknowns z of A z = -dG/ds. With y = -C dG/ds and E = I - C A, z = y + E z and |z| <= |y| + |E| max|y|/(1
     // - |E|).
-    [[nodiscard]] RelaxedOrbits relaxed(const std::vector<double>& radii) const {
-        RelaxedOrbits result{places(radii), around(slack_, radii[relaxed_->unknown]), nothing()};
-        const std::vector<Column> columns = columns_of(result.places);
+    [[nodiscard]] RelaxedOrbits relaxed(EnclosedOrbits orbits, const std::vector<double>& radii) const {
+        RelaxedOrbits result{std::move(orbits), around(slack_, radii[relaxed_->unknown]), nothing()};
+        const std::vector<Column> columns = columns_of(result.orbits.places);
         const std::size_t held = relaxed_->unknown;
         std::vector<Interval> y;
         double longest = 0;
@@ -218,14 +219,23 @@ bool inside(const std::vector<double>& image, const std::vector<double>& radii) 
     return true;
 }
 
-// Radii of the image of a box that contains it.
-std::optional<std::vector<double>> enclosed(const Krawczyk& krawczyk, std::vector<double> radii) {
+// Radii of a box that contains its image, and of the image.
+struct Enclosure {
+    std::vector<double> alone;
+    std::vector<double> image;
+
+    [[nodiscard]] EnclosedOrbits orbits(const Krawczyk& krawczyk) const {
+        return {krawczyk.places(image), krawczyk.places(alone)};
+    }
+};
+
+std::optional<Enclosure> enclose(const Krawczyk& krawczyk, std::vector<double> radii) {
     for (double& radius : radii) radius = 1.5 * radius + 1e-280;
     constexpr double widest =
         0.1;  // of a box that may hold a single orbit; a leg from a wide one costs seconds
     for (int tries = 0; tries < 6 && std::ranges::max(radii) < widest; ++tries) {
-        std::vector<double> image = krawczyk.image(radii);
-        if (inside(image, radii)) return image;
+        const std::vector<double> image = krawczyk.image(radii);
+        if (inside(image, radii)) return Enclosure{radii, image};
         for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = 1.5 * std::max(image[i], radii[i]);
     }
     return std::nullopt;
@@ -233,21 +243,29 @@ std::optional<std::vector<double>> enclosed(const Krawczyk& krawczyk, std::vecto
 
 }  // namespace
 
-std::optional<std::vector<Place<Interval>>> orbit_box(const Springs<Interval>& springs,
-                                                      const Springs<double>& middle, const EventChain& chain) {
+std::optional<EnclosedOrbits> enclosed_orbits(const Springs<Interval>& springs, const Springs<double>& middle,
+                                              const EventChain& chain) {
     const Krawczyk krawczyk(springs, middle, chain);
-    const auto radii = enclosed(krawczyk, krawczyk.correction());
-    if (!radii) return std::nullopt;
-    return krawczyk.places(*radii);
+    const auto found = enclose(krawczyk, krawczyk.correction());
+    return found ? std::optional(found->orbits(krawczyk)) : std::nullopt;
 }
 
-// All motions of the family, not only one of them, have to fit in the first box.
+std::optional<std::vector<Place<Interval>>> orbit_box(const Springs<Interval>& springs,
+                                                      const Springs<double>& middle, const EventChain& chain) {
+    auto found = enclosed_orbits(springs, middle, chain);
+    return found ? std::optional(std::move(found->places)) : std::nullopt;
+}
+
+// All members of the family have to fit in the first box. mu, of second order in their spread, needs no box of
+// its own size, since the equations are linear in it.
 std::optional<RelaxedOrbits> relaxed_orbits(const Springs<Interval>& springs, const Springs<double>& middle,
                                             const EventChain& chain, const Relaxation& relaxation) {
     const Krawczyk krawczyk(springs, middle, chain, relaxation);
-    const auto radii = enclosed(krawczyk, krawczyk.image(std::vector<double>(krawczyk.size(), 0.0)));
-    if (!radii) return std::nullopt;
-    return krawczyk.relaxed(*radii);
+    std::vector<double> first = krawczyk.image(std::vector<double>(krawczyk.size(), 0.0));
+    first[relaxation.unknown] = std::ranges::max(first);
+    const auto found = enclose(krawczyk, first);
+    if (!found) return std::nullopt;
+    return krawczyk.relaxed(found->orbits(krawczyk), found->image);
 }
 
 }  // namespace peterka::certificate
