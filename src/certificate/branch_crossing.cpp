@@ -195,27 +195,63 @@ std::optional<Settled> members_at(const Rigs& rigs, Family family, double lambda
     return Settled{std::move(family), std::move(*found)};
 }
 
-bool differ(const Interval& a, const Interval& b) {
-    return (a.positive() && b.negative()) || (a.negative() && b.positive());
-}
-
-Crossed crosses(const Rigs& rigs, Family family, const Interval& within) {
-    const auto low = members_at(rigs, family, within.lo);
-    const auto high = members_at(rigs, family, within.hi);
-    if (!low || !high) return Crossed::no_orbit_enclosed;
-    if (!differ(low->members.test, high->members.test)) return Crossed::not_surely_crossed;
-    const std::optional<Here> here = rigs.over(within);
+// Whether the family continues over an interval of lambda, from its members at the lower end to those at the
+// upper end, and all of them are motions.
+Crossed continues_over(const Rigs& rigs, Family family, const Interval& lambda, const EnclosedOrbits& low,
+                       const EnclosedOrbits& high) {
+    const std::optional<Here> here = rigs.over(lambda);
     if (!here || !settle(here->approximate, family)) return Crossed::no_orbit_enclosed;
     if (here->springs.flight.is_too_bent()) return Crossed::cubic_spring;
     const auto all = members(*here, family);
-    if (!all) return Crossed::no_orbit_enclosed;
-    if (!all->hold(low->members.orbits) || !all->hold(high->members.orbits)) return Crossed::no_orbit_enclosed;
+    if (!all || !all->hold(low) || !all->hold(high)) return Crossed::no_orbit_enclosed;
     if (family.event == BranchEvent::fold && !has_its_maximum_inside(*here, family.chain, family.fold, *all))
         return Crossed::not_surely_crossed;
     for (std::size_t i = 0; i < all->places().size(); ++i) {
         if (!leg_is_free(here->springs, family.chain, all->places(), i)) return Crossed::near_grazing;
     }
     return has_no_smaller_period(family.chain, all->places()) ? Crossed::proved : Crossed::other_label;
+}
+
+constexpr int most_halvings = 8;
+
+// The same, in parts if need be: with the members at its middle belonging to both halves.
+Crossed continues_in_parts(const Rigs& rigs, const Family& family, const Interval& lambda,
+                           const EnclosedOrbits& low, const EnclosedOrbits& high, int halvings = 0) {
+    const Crossed whole = continues_over(rigs, family, lambda, low, high);
+    const double middle = lambda.middle();
+    const bool has_parts = lambda.lo < middle && middle < lambda.hi;
+    if (whole == Crossed::proved || halvings == most_halvings || !has_parts) return whole;
+    const auto between = members_at(rigs, family, middle);
+    if (!between) return whole;
+    const EnclosedOrbits& orbits = between->members.orbits;
+    const Crossed first = continues_in_parts(rigs, family, {lambda.lo, middle}, low, orbits, halvings + 1);
+    if (first != Crossed::proved) return first;
+    return continues_in_parts(rigs, family, {middle, lambda.hi}, orbits, high, halvings + 1);
+}
+
+// The members at both ends of an interval.
+struct MembersAtEnds {
+    Members low;
+    Members high;
+    [[nodiscard]] bool differ() const {
+        const Interval& a = low.test;
+        const Interval& b = high.test;
+        return (a.positive() && b.negative()) || (a.negative() && b.positive());
+    }
+};
+
+std::optional<MembersAtEnds> members_at_ends(const Rigs& rigs, const Family& family, const Interval& lambda) {
+    const auto low = members_at(rigs, family, lambda.lo);
+    const auto high = members_at(rigs, family, lambda.hi);
+    if (!low || !high) return std::nullopt;
+    return MembersAtEnds{low->members, high->members};
+}
+
+Crossed crosses(const Rigs& rigs, const Family& family, const Interval& within) {
+    const auto ends = members_at_ends(rigs, family, within);
+    if (!ends) return Crossed::no_orbit_enclosed;
+    if (!ends->differ()) return Crossed::not_surely_crossed;
+    return continues_in_parts(rigs, family, within, ends->low.orbits, ends->high.orbits);
 }
 
 // Where f vanishes, in doubles.
@@ -306,20 +342,23 @@ std::optional<Zero> zero_at_fold(const Rigs& rigs, Family family, double lambda,
     return std::nullopt;
 }
 
-// Proves it in the narrowest of a sequence of intervals around the zero.
+// Proves it in the narrowest of a sequence of intervals around the zero at whose ends the signs differ.
 CrossingProof prove_around(const Rigs& rigs, const Zero& zero) {
     constexpr double widest = 1e-6;  // relative
     const auto there = members_at(rigs, zero.family, zero.lambda);
     if (!there) return {Crossed::no_orbit_enclosed};
     const double size = std::abs(zero.lambda);
     double radius = std::max(1.5 * there->members.test.size() / std::abs(zero.slope), 4e-16 * size);
-    Crossed last = Crossed::not_surely_crossed;
     for (; radius < widest * size; radius *= 2) {
         const Interval within{zero.lambda - radius, zero.lambda + radius};
-        last = crosses(rigs, there->family, within);
-        if (last == Crossed::proved) return {last, within};
+        const auto ends = members_at_ends(rigs, there->family, within);
+        if (!ends) return {Crossed::no_orbit_enclosed};
+        if (!ends->differ()) continue;
+        const Crossed verdict =
+            continues_in_parts(rigs, there->family, within, ends->low.orbits, ends->high.orbits);
+        return {verdict, verdict == Crossed::proved ? within : nothing()};
     }
-    return {last};
+    return {Crossed::not_surely_crossed};
 }
 
 CrossingProof prove_fold(const Rigs& rigs, const Family& family, double near) {
