@@ -3,7 +3,9 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "certificate/leg_proof.hpp"
@@ -361,9 +363,13 @@ CrossingProof prove_around(const Rigs& rigs, const Zero& zero) {
     return {Crossed::not_surely_crossed};
 }
 
+// Half the length of S over the size of the unknown: as short as lets the sign of mu' at its ends be proved,
+// for the bounds of mu are further apart by about the square of it.
+constexpr std::array shares_of_unknown{1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
+
 CrossingProof prove_fold(const Rigs& rigs, const Family& family, double near) {
     CrossingProof proof{Crossed::no_orbit_found};
-    for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
+    for (const double share : shares_of_unknown) {
         const std::optional<Zero> zero = zero_at_fold(rigs, family, near, share);
         if (!zero) continue;
         proof = prove_around(rigs, *zero);
@@ -376,16 +382,18 @@ CrossingProof prove_fold(const Rigs& rigs, const Family& family, double near) {
 
 Crossed crosses_within(const job::CellNumbers& numbers, const BranchCrossing& found, const Interval& within) {
     const Rigs rigs(numbers, found.key);
-    Family family{found.event, found.chain, {}};
+    const Family family{found.event, found.chain, {}};
     const std::optional<Here> here = rigs.at(found.near);
     if (!here) return Crossed::other_stop;
     if (!family.is_of(here->springs.rig)) return Crossed::no_orbit_found;
-    if (found.event == BranchEvent::fold) {
-        const std::optional<Zero> zero = zero_at_fold(rigs, family, found.near, 1e-5);
-        if (!zero) return Crossed::no_orbit_found;
-        family = zero->family;
+    if (found.event != BranchEvent::fold) return crosses(rigs, family, within);
+    Crossed last = Crossed::no_orbit_found;
+    for (const double share : shares_of_unknown) {
+        const std::optional<Zero> zero = zero_at_fold(rigs, family, found.near, share);
+        if (zero) last = crosses(rigs, zero->family, within);
+        if (last == Crossed::proved) break;
     }
-    return crosses(rigs, family, within);
+    return last;
 }
 
 CrossingProof prove_crossing(const job::CellNumbers& numbers, const BranchCrossing& found) {

@@ -26,7 +26,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <string>
 
 #include "certificate/find_chain.hpp"
 #include "job/cell_numbers.hpp"
@@ -52,9 +52,9 @@ inline constexpr int first_crossed = -7;
 
 struct BranchCrossing {
     BranchEvent event = BranchEvent::fold;
-    EventChain chain;      // a grazing's has one event that grazes, the others none
-    std::string_view key;  // of lambda, as in job/axis_quantity.hpp
-    double near = 0;       // lambda, approximately
+    EventChain chain;  // a grazing's has one event that grazes, the others none
+    std::string key;   // of lambda, as in job/axis_quantity.hpp
+    double near = 0;   // lambda, approximately
 };
 
 struct CrossingProof {

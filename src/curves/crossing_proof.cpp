@@ -54,20 +54,27 @@ double asked_gap(const job::Job& job, const Rig& rig, const Crossing& crossing) 
 
 }  // namespace
 
-certificate::CrossingProof proof_of(const job::Job& job, const Rig& rig, CurveKind kind,
-                                    const Crossing& crossing) {
+std::optional<CrossingGuess> guess_of(const job::Job& job, const Rig& rig, CurveKind kind,
+                                      const Crossing& crossing) {
     const std::size_t along = 1 - gap_axis(job);
     const std::string& key = rig.key(along);
     const double near = coordinate(rig.values_at(crossing.place), along);
-    job::CellNumbers numbers = job::numbers_in(job);
-    job::set_number(numbers, job.curves.gap_key(), asked_gap(job, rig, crossing));
-    job::CellNumbers there = numbers;
+    CrossingGuess guess{job::numbers_in(job), {event_of(kind), {}, key, near}};
+    job::set_number(guess.numbers, job.curves.gap_key(), asked_gap(job, rig, crossing));
+    job::CellNumbers there = guess.numbers;
     job::set_number(there, key, near);
     const std::optional<certificate::Rig> enclosed = certificate::rig_of(there);
-    if (!enclosed) return {certificate::Crossed::other_stop};
+    if (!enclosed) return std::nullopt;
     const certificate::Springs<double> springs(certificate::middle(*enclosed));
-    return certificate::prove_crossing(
-        numbers, {event_of(kind), chain_of(springs, rig.at(crossing.place), crossing.orbit), key, near});
+    guess.crossing.chain = chain_of(springs, rig.at(crossing.place), crossing.orbit);
+    return guess;
+}
+
+certificate::CrossingProof proof_of(const job::Job& job, const Rig& rig, CurveKind kind,
+                                    const Crossing& crossing) {
+    const std::optional<CrossingGuess> guess = guess_of(job, rig, kind, crossing);
+    if (!guess) return {certificate::Crossed::other_stop};
+    return certificate::prove_crossing(guess->numbers, guess->crossing);
 }
 
 }  // namespace peterka::curves

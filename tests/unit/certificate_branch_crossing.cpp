@@ -1,0 +1,238 @@
+// Where orbits fold, double their period and graze, against closed forms: the free swing of linear springs,
+// whose amplitude is that of a resonance curve, and the orbit with one impact per cycle on a rigid stop.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "certificate/branch_crossing.hpp"
+#include "certified_cells.hpp"
+
+namespace peterka::certificate {
+namespace {
+
+using Real = long double;
+
+Real damping_ratio_of(const job::CellNumbers& numbers) {
+    const Real omega = 2 * std::numbers::pi_v<Real> * *numbers.hammer.natural_frequency_hz;
+    return *numbers.hammer.damping_ns_per_m / (2 * numbers.hammer.mass_kg * omega);
+}
+
+// R = real + i imaginary of the steady flight.
+struct Response {
+    Real real;
+    Real imaginary;
+    Response(Real zeta, Real eta) {
+        const Real in_phase = 1 - eta * eta;
+        const Real behind = 2 * zeta * eta;
+        const Real share = eta * eta / (in_phase * in_phase + behind * behind);
+        real = share * in_phase;
+        imaginary = -share * behind;
+    }
+    [[nodiscard]] Real square() const { return real * real + imaginary * imaginary; }
+};
+
+// The frequencies at which |R| is the gap: (1 - 1/g^2) e^2 + (4 zeta^2 - 2) e + 1 = 0 with e = eta^2.
+std::vector<Real> ends_of_free_swing(Real zeta, Real gap) {
+    const Real a = 1 - 1 / (gap * gap);
+    const Real b = 4 * zeta * zeta - 2;
+    const Real root = std::sqrt(b * b - 4 * a);
+    std::vector<Real> frequencies;
+    for (const Real square : {2 / (-b + root), (-b + root) / (2 * a)}) {
+        if (square > 0) frequencies.push_back(std::sqrt(square));
+    }
+    return frequencies;
+}
+
+void expect_around(const CrossingProof& proof, Real exact, Real width) {
+    ASSERT_EQ(proof.verdict, Crossed::proved);
+    EXPECT_LE(proof.at.lo, exact);
+    EXPECT_GE(proof.at.hi, exact);
+    EXPECT_LT((proof.at.hi - proof.at.lo) / exact, width);
+}
+
+// `off`: of the guess for the frequency.
+BranchCrossing free_swing_at(Real zeta, Real eta, double off = 0) {
+    const Response response(zeta, eta);
+    const Real angle = std::numbers::pi_v<Real> / 2 - std::atan2(response.imaginary, response.real);
+    const auto time = static_cast<double>(angle / eta);
+    return {BranchEvent::grazing,
+            {1, {{EventKind::graze, 0, time, 0}}},
+            "frequency_ratio",
+            static_cast<double>(eta) * (1 + off)};
+}
+
+TEST(BranchCrossing, AFreeSwingGrazesWhereItsAmplitudeIsTheGap) {
+    for (const double gap : {0.7, 1.5, 3.0, 20.0}) {
+        const job::CellNumbers numbers = testing::numbers_170mm(1, gap);
+        const Real zeta = damping_ratio_of(numbers);
+        for (const Real eta : ends_of_free_swing(zeta, gap)) {
+            for (const double off : {0.0, 1e-4}) {
+                SCOPED_TRACE(gap);
+                expect_around(prove_crossing(numbers, free_swing_at(zeta, eta, off)), eta, 1e-11L);
+            }
+        }
+    }
+}
+
+TEST(BranchCrossing, IsInTheUnitOfItsKey) {
+    job::CellNumbers numbers = testing::numbers_170mm(1, 1.5);
+    const Real zeta = damping_ratio_of(numbers);
+    const Real eta = ends_of_free_swing(zeta, 1.5).front();
+    BranchCrossing swing = free_swing_at(zeta, eta);
+    swing.key = "frequency_hz";
+    swing.near *= 4.5;
+    expect_around(prove_crossing(numbers, swing), 4.5L * eta, 1e-11L);
+    // At this frequency the gap is the amplitude.
+    const double frequency = 1.7;
+    numbers.place.frequency_ratio = frequency;
+    swing = free_swing_at(zeta, frequency);
+    swing.key = "gap_ratio";
+    const Real amplitude = std::sqrt(Response(zeta, frequency).square());
+    swing.near = static_cast<double>(amplitude);
+    expect_around(prove_crossing(numbers, swing), amplitude, 1e-13L);
+}
+
+// One impact per cycle on a rigid stop: the steady flight has (p, w) at the impact, the rest goes over from
+// (-p, -r v - w) into (-p, v - w) in a cycle; so (p, w) = v (P, W), and (p + g)^2 + (w/eta)^2 = |R|^2.
+class RigidOrbit {
+  public:
+    RigidOrbit(Real zeta, Real r, Real g, Real eta) : r_(r), g_(g), eta_(eta), response_(zeta, eta) {
+        period_ = 2 * std::numbers::pi_v<Real> / eta;
+        const Real rate = std::sqrt(1 - zeta * zeta);
+        const Real decay = std::exp(-zeta * period_);
+        const Real sine = decay * std::sin(rate * period_) / rate;
+        const Real cosine = decay * std::cos(rate * period_);
+        flow_ = {cosine + zeta * sine, sine, -sine, cosine - zeta * sine};
+        determinant_ = r * r * decay * decay;
+        const Real x = r * flow_.b;
+        const Real y = 1 + r * flow_.d;
+        const Real of_inverse = (1 - flow_.a) * (1 - flow_.d) - flow_.b * flow_.c;
+        position_ = ((1 - flow_.d) * x + flow_.b * y) / of_inverse;
+        velocity_ = (flow_.c * x + (1 - flow_.a) * y) / of_inverse;
+    }
+    // Of the quadratic equation for v: 0 where two orbits become one.
+    [[nodiscard]] Real discriminant() const {
+        return position_ * position_ * g_ * g_ - square() * (g_ * g_ - response_.square());
+    }
+    [[nodiscard]] Real speed() const {
+        return (-position_ * g_ + std::sqrt(std::max<Real>(discriminant(), 0))) / square();
+    }
+    [[nodiscard]] Real time() const {
+        const Real x = position_ * speed() + g_;
+        const Real y = velocity_ * speed() / eta_;
+        const Real angle = std::atan2(response_.real * x - response_.imaginary * y,
+                                      response_.imaginary * x + response_.real * y) /
+                           eta_;
+        return angle < 0 ? angle + period_ : angle;
+    }
+    [[nodiscard]] Real test_of_doubling() const {  // det(M + I)
+        const Real pressing = eta_ * eta_ * std::sin(eta_ * time()) - g_;
+        const Real trace = -r_ * (flow_.a + flow_.d) + flow_.b * (1 + r_) * pressing / speed();
+        return 1 + trace + determinant_;
+    }
+    [[nodiscard]] BranchCrossing guess(BranchEvent event, double near) const {
+        return {event,
+                {1, {{EventKind::bounce, 0, static_cast<double>(time()), static_cast<double>(speed())}}},
+                "frequency_ratio",
+                near};
+    }
+
+  private:
+    [[nodiscard]] Real square() const { return position_ * position_ + velocity_ * velocity_ / (eta_ * eta_); }
+
+    Real r_;
+    Real g_;
+    Real eta_;
+    Response response_;
+    Real period_;
+    Matrix<Real> flow_;
+    Real determinant_;
+    Real position_;
+    Real velocity_;
+};
+
+struct RigidCase {
+    job::CellNumbers numbers;
+    Real restitution;
+    Real gap;
+
+    RigidCase(double r, double g) : numbers(testing::numbers_170mm(1, g)), restitution(r), gap(g) {
+        numbers.contact = job::Restitution{r};
+    }
+    [[nodiscard]] RigidOrbit at(Real eta) const { return {damping_ratio_of(numbers), restitution, gap, eta}; }
+    // All sign changes of a function of the orbit from eta 0.6 to 4, where there is one with v > 0.
+    template <class Function>
+    [[nodiscard]] std::vector<Real> zeros(Function&& function) const {
+        std::vector<Real> found;
+        const auto value = [&](Real eta) { return function(at(eta)); };
+        constexpr Real step = 0.003L;
+        for (Real low = 0.6L; low < 4; low += step) {
+            Real a = low;
+            Real b = low + step;
+            const Real before = value(a);
+            const Real after = value(b);
+            if (!(before * after < 0) || std::abs(before - after) > 30) continue;
+            for (int halving = 0; halving < 90; ++halving) {
+                const Real middle = (a + b) / 2;
+                ((value(middle) > 0) == (before > 0) ? a : b) = middle;
+            }
+            if (at(a).speed() > 1e-3L) found.push_back(a);
+        }
+        return found;
+    }
+};
+
+TEST(BranchCrossing, TheOrbitOfOneImpactOnARigidStopDoublesItsPeriodWhereItsClosedFormSays) {
+    int proved = 0;
+    for (const double r : {0.5, 0.8}) {
+        for (const double gap : {0.0, 0.5, 1.0}) {
+            const RigidCase rig(r, gap);
+            const auto zeros = rig.zeros([](const RigidOrbit& orbit) {
+                return orbit.discriminant() > 0 ? orbit.test_of_doubling() : Real(NAN);
+            });
+            for (const Real eta : zeros) {
+                const BranchCrossing guess =
+                    rig.at(eta).guess(BranchEvent::period_doubling, static_cast<double>(eta));
+                const CrossingProof proof = prove_crossing(rig.numbers, guess);
+                if (proof.verdict == Crossed::near_grazing) continue;  // it passes through the stop
+                expect_around(proof, eta, 1e-10L);
+                ++proved;
+            }
+        }
+    }
+    EXPECT_GE(proved, 6);
+}
+
+TEST(BranchCrossing, TwoOrbitsOfOneImpactOnARigidStopMergeWhereTheirClosedFormSays) {
+    int proved = 0;
+    for (const double r : {0.5, 0.8}) {
+        for (const double gap : {1.0, 2.0, 4.0}) {
+            const RigidCase rig(r, gap);
+            for (const Real eta : rig.zeros([](const RigidOrbit& orbit) { return orbit.discriminant(); })) {
+                const BranchCrossing guess = rig.at(eta).guess(BranchEvent::fold, static_cast<double>(eta));
+                const CrossingProof proof = prove_crossing(rig.numbers, guess);
+                if (proof.verdict == Crossed::near_grazing) continue;
+                expect_around(proof, eta, 1e-11L);
+                ++proved;
+            }
+        }
+    }
+    EXPECT_GE(proved, 2);
+}
+
+// Not a chain of this stop, or without the grazing that is claimed.
+TEST(BranchCrossing, ChainsOfAnotherStopAreRefused) {
+    const RigidCase rig(0.8, 1);
+    BranchCrossing bounce = rig.at(2.5L).guess(BranchEvent::period_doubling, 2.5);
+    EXPECT_EQ(prove_crossing(testing::numbers_170mm(1, 1), bounce).verdict, Crossed::no_orbit_found);
+    bounce.event = BranchEvent::grazing;
+    EXPECT_EQ(prove_crossing(rig.numbers, bounce).verdict, Crossed::no_orbit_found);
+    job::CellNumbers numbers = rig.numbers;
+    numbers.contact = job::HuntCrossley{};
+    EXPECT_EQ(prove_crossing(numbers, bounce).verdict, Crossed::other_stop);
+}
+
+}  // namespace
+}  // namespace peterka::certificate
