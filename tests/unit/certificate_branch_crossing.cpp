@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "certificate/branch_crossing.hpp"
+#include "certificate/orbit_box.hpp"
 #include "certified_cells.hpp"
 
 namespace peterka::certificate {
@@ -220,6 +221,72 @@ TEST(BranchCrossing, TwoOrbitsOfOneImpactOnARigidStopMergeWhereTheirClosedFormSa
         }
     }
     EXPECT_GE(proved, 2);
+}
+
+// Newton's method on a relaxed chain of one bounce: mu, where its speed is held.
+double slack_in_doubles(const Springs<double>& springs, EventChain& chain, double speed) {
+    chain.events[0].along = speed;
+    double slack = 0;
+    for (int steps = 0; steps < 8; ++steps) {
+        const EquationsInDoubles at = equations_in_doubles(springs, chain);
+        const double step = at.residuals[0] / at.derivatives(0, 0);
+        chain.events[0].time -= step;
+        slack = -(at.residuals[1] - at.derivatives(1, 0) * step);
+    }
+    return slack;
+}
+
+// The whole family, its slack and its slope hold those of each of its members.
+TEST(BranchCrossing, ARelaxedChainHoldsItsMembers) {
+    const RigidCase rig(0.8, 2);
+    const auto folds = rig.zeros([](const RigidOrbit& orbit) { return orbit.discriminant(); });
+    ASSERT_FALSE(folds.empty());
+    job::CellNumbers numbers = rig.numbers;
+    numbers.place.frequency_ratio = static_cast<double>(folds.front());
+    const Springs<Interval> springs(*rig_of(numbers));
+    const Springs<double> approximate(middle(*rig_of(numbers)));
+    EventChain chain = rig.at(folds.front()).guess(BranchEvent::fold, 0).chain;
+    const double speed = chain.events[0].along;
+    for (const double radius : {1e-6, 1e-5, 1e-4, 1e-3}) {
+        const Interval held(speed - radius, speed + radius);
+        const auto all = relaxed_orbits(springs, approximate, chain, {1, 1, held});
+        ASSERT_TRUE(all);
+        EXPECT_LT(all->slack.hi - all->slack.lo, 50 * radius * radius + 1e-13);
+        for (int part = -10; part <= 10; ++part) {
+            const double s = speed + 0.1 * part * radius;
+            EventChain member = chain;
+            const double slack = slack_in_doubles(approximate, member, s);
+            const double rounding = 1e-14;
+            EXPECT_LE(all->slack.lo - rounding, slack);
+            EXPECT_GE(all->slack.hi + rounding, slack);
+            EXPECT_TRUE(all->orbits.places[0].time.holds(member.events[0].time));
+            const auto one = relaxed_orbits(springs, approximate, member, {1, 1, Interval(s)});
+            ASSERT_TRUE(one);
+            EXPECT_LE(one->slack.lo, slack);
+            EXPECT_GE(one->slack.hi, slack);
+            EXPECT_LT(one->slack.hi - one->slack.lo, 1e-12);
+            EXPECT_LE(all->slope.lo, one->slope.lo);
+            EXPECT_GE(all->slope.hi, one->slope.hi);
+            const double h = 1e-6;
+            EventChain beside = chain;
+            const double quotient =
+                (slack_in_doubles(approximate, beside, s + h) - slack_in_doubles(approximate, beside, s - h)) /
+                (2 * h);
+            EXPECT_NEAR(one->slope.middle(), quotient, 1e-7);
+            EXPECT_LT(one->slope.hi - one->slope.lo, 1e-10);
+        }
+    }
+}
+
+// Far from any zero, and where another branch would have to be taken.
+TEST(BranchCrossing, WideIntervalsAreRefused) {
+    const job::CellNumbers numbers = testing::numbers_170mm(1, 1.5);
+    const Real eta = ends_of_free_swing(damping_ratio_of(numbers), 1.5L).front();
+    const BranchCrossing swing = free_swing_at(damping_ratio_of(numbers), eta);
+    EXPECT_EQ(crosses_within(numbers, swing, around(swing.near, 1e-9)), Crossed::proved);
+    EXPECT_LT(crosses_within(numbers, swing, {-swing.near, swing.near}), Crossed::not_tried);
+    EXPECT_LT(crosses_within(numbers, swing, {swing.near + 1e-9, swing.near + 1e-8}), Crossed::not_tried);
+    EXPECT_LT(crosses_within(numbers, swing, {swing.near - 0.2, 4}), Crossed::not_tried);
 }
 
 // Not a chain of this stop, or without the grazing that is claimed.

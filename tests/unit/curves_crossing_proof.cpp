@@ -196,6 +196,28 @@ TEST(CrossingProof, OtherKindsAreRefused) {
     EXPECT_GT(refused, 200);
 }
 
+// A flight's largest delta taken for its smallest beyond the surface, or the other way round.
+TEST(CrossingProof, OtherGrazingsAreRefused) {
+    int tried = 0;
+    int refused = 0;
+    int beyond_surface = 0;
+    for (const Known& each : known_crossings()) {
+        if (!each.proof.proved() || each.guess.crossing.event != BranchEvent::grazing) continue;
+        BranchCrossing other = each.guess.crossing;
+        for (certificate::Event& event : other.chain.events) {
+            using certificate::EventKind;
+            if (!certificate::is_grazing(event.kind)) continue;
+            const bool is_beyond = event.kind == EventKind::resume_at_graze;
+            beyond_surface += is_beyond ? 1 : 0;
+            event.kind = is_beyond ? EventKind::graze : EventKind::resume_at_graze;
+        }
+        refused += refused_within(each.guess.numbers, other, each.proof.at, tried);
+    }
+    record("another grazing", tried, refused);
+    EXPECT_GT(refused, 50);
+    EXPECT_GT(beyond_surface, 0);
+}
+
 // A contact, or a bounce, removed from the chain.
 TEST(CrossingProof, AContactLeftOutIsRefused) {
     int tried = 0;
