@@ -75,8 +75,8 @@ std::string rule_of_window(const Job& job) {
 
 std::string rule_of_proved_crossings(const Job& job) {
     if (job.certificate.cells == 0 || !job.curves.gaps().empty()) return {};
-    return "certificate.cells asks for proofs, and of curves only the places with a gap of the list of "
-           "[curves] "
+    return "certificate.cells asks for proofs, and [curves] names no gap; of curves only the places with such "
+           "a gap "
            "are proved; give curves.gap_ratio or curves.gap_m, or remove [certificate]";
 }
 
