@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "certificate/leg_proof.hpp"
-#include "certificate/orbit_box.hpp"
 #include "certificate/smallest_period.hpp"
 #include "certificate/stability.hpp"
 
@@ -71,17 +70,6 @@ class Rigs {
 
     const job::CellNumbers& numbers_;
     std::string_view key_;
-};
-
-// How a chain is relaxed at a fold: S, and the sign with which mu has a maximum.
-struct Fold {
-    Relaxation relaxation;
-    double sign = 1;
-
-    [[nodiscard]] Relaxation held_at(double s) const {
-        return {relaxation.unknown, relaxation.equation, Interval(s)};
-    }
-    [[nodiscard]] double middle() const { return relaxation.held.middle(); }
 };
 
 struct Family {
@@ -394,6 +382,11 @@ Crossed crosses_within(const job::CellNumbers& numbers, const BranchCrossing& fo
         if (last == Crossed::proved) break;
     }
     return last;
+}
+
+Crossed folds_within(const job::CellNumbers& numbers, const BranchCrossing& found, const Fold& fold,
+                     const Interval& within) {
+    return crosses(Rigs(numbers, found.key), {BranchEvent::fold, found.chain, fold}, within);
 }
 
 CrossingProof prove_crossing(const job::CellNumbers& numbers, const BranchCrossing& found) {

@@ -29,6 +29,7 @@
 #include <string>
 
 #include "certificate/find_chain.hpp"
+#include "certificate/orbit_box.hpp"
 #include "job/cell_numbers.hpp"
 
 namespace peterka::certificate {
@@ -69,5 +70,20 @@ struct CrossingProof {
 // Whether the theorem is proved for this interval.
 [[nodiscard]] Crossed crosses_within(const job::CellNumbers& numbers, const BranchCrossing& found,
                                      const Interval& within);
+
+// How a chain is relaxed at a fold: what is held are all s in S, and mu times the sign has a maximum.
+struct Fold {
+    Relaxation relaxation;
+    double sign = 1;
+
+    [[nodiscard]] Relaxation held_at(double s) const {
+        return {relaxation.unknown, relaxation.equation, Interval(s)};
+    }
+    [[nodiscard]] double middle() const { return relaxation.held.middle(); }
+};
+
+// The same for a fold with a given S; the events must be those of the job's stop.
+[[nodiscard]] Crossed folds_within(const job::CellNumbers& numbers, const BranchCrossing& found,
+                                   const Fold& fold, const Interval& within);
 
 }  // namespace peterka::certificate

@@ -278,6 +278,52 @@ TEST(BranchCrossing, ARelaxedChainHoldsItsMembers) {
     }
 }
 
+// mu at the fold of a rigid rig, from closed forms: the chain, and S around its speed.
+struct FoldOfBounce {
+    RigidCase rig{0.8, 2};
+    Real eta = rig.zeros([](const RigidOrbit& orbit) { return orbit.discriminant(); }).front();
+    BranchCrossing guess = rig.at(eta).guess(BranchEvent::fold, static_cast<double>(eta));
+    double speed = guess.chain.events[0].along;
+
+    [[nodiscard]] Crossed within(double s, double radius, double sign, const Interval& etas) const {
+        return folds_within(rig.numbers, guess, {{1, 1, {s - radius, s + radius}}, sign}, etas);
+    }
+};
+
+TEST(BranchCrossing, AFoldNeedsAMaximumWithinTheHeldValues) {
+    const FoldOfBounce fold;
+    const double eta = fold.guess.near;
+    const double radius = 1e-6;
+    const Interval etas(eta - 1e-9, eta + 1e-9);
+    const double sign = fold.within(fold.speed, radius, 1, etas) == Crossed::proved ? 1 : -1;
+    EXPECT_EQ(fold.within(fold.speed, radius, sign, etas), Crossed::proved);
+    EXPECT_EQ(fold.within(fold.speed, radius, -sign, etas), Crossed::not_surely_crossed);
+    // Beside it mu rises or falls throughout, and becomes 0 at an orbit that is no fold.
+    for (const double beside : {-1e-4, 1e-4}) {
+        const double s = fold.speed + beside;
+        EXPECT_EQ(fold.within(s, radius, sign, around(eta, 1e-5)), Crossed::not_surely_crossed);
+    }
+}
+
+// S is not centred: where mu at its middle changes its sign, its maximum has been positive before.
+TEST(BranchCrossing, AFoldIsWhereTheMaximumChangesItsSignNotTheMiddle) {
+    const FoldOfBounce fold;
+    const double eta = fold.guess.near;
+    int refused = 0;
+    for (const double sign : {-1., 1.}) {
+        for (const double side : {-1., 1.}) {
+            for (double far = 1e-13; far < 1e-8; far *= 1.5) {
+                const double end = eta + side * far;
+                const Interval beside(std::min(end, end + side * far), std::max(end, end + side * far));
+                const Crossed verdict = fold.within(fold.speed + 1e-5, 2e-5, sign, beside);
+                EXPECT_NE(verdict, Crossed::proved);
+                refused += verdict == Crossed::not_surely_crossed ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(refused, 50);
+}
+
 // Far from any zero, and where another branch would have to be taken.
 TEST(BranchCrossing, WideIntervalsAreRefused) {
     const job::CellNumbers numbers = testing::numbers_170mm(1, 1.5);
