@@ -298,30 +298,31 @@ TEST(BranchCrossing, AFoldNeedsAMaximumWithinTheHeldValues) {
     const double sign = fold.within(fold.speed, radius, 1, etas) == Crossed::proved ? 1 : -1;
     EXPECT_EQ(fold.within(fold.speed, radius, sign, etas), Crossed::proved);
     EXPECT_EQ(fold.within(fold.speed, radius, -sign, etas), Crossed::not_surely_crossed);
-    // Beside it mu rises or falls throughout, and becomes 0 at an orbit that is no fold.
-    for (const double beside : {-1e-4, 1e-4}) {
-        const double s = fold.speed + beside;
-        EXPECT_EQ(fold.within(s, radius, sign, around(eta, 1e-5)), Crossed::not_surely_crossed);
-    }
 }
 
-// S is not centred: where mu at its middle changes its sign, its maximum has been positive before.
-TEST(BranchCrossing, AFoldIsWhereTheMaximumChangesItsSignNotTheMiddle) {
+// In intervals of frequencies beside the fold, each from a distance to its double, with S anywhere around it:
+// mu rises or falls throughout where S does not hold its maximum, and becomes 0 at an orbit that is no fold;
+// and where it does, mu at the middle of S changes its sign elsewhere than the maximum.
+TEST(BranchCrossing, OrbitsBesideAFoldAreNone) {
     const FoldOfBounce fold;
     const double eta = fold.guess.near;
     int refused = 0;
-    for (const double sign : {-1., 1.}) {
-        for (const double side : {-1., 1.}) {
-            for (double far = 1e-13; far < 1e-8; far *= 1.5) {
-                const double end = eta + side * far;
-                const Interval beside(std::min(end, end + side * far), std::max(end, end + side * far));
-                const Crossed verdict = fold.within(fold.speed + 1e-5, 2e-5, sign, beside);
-                EXPECT_NE(verdict, Crossed::proved);
-                refused += verdict == Crossed::not_surely_crossed ? 1 : 0;
+    for (const double beside : {-1e-4, -1e-5, 1e-5, 1e-4}) {
+        for (const double radius : {1e-7, 2 * std::abs(beside)}) {
+            for (const double sign : {-1., 1.}) {
+                for (const double side : {-1., 1.}) {
+                    for (double far = 1e-12; far < 1e-4; far *= 1.7) {
+                        const double end = eta + side * far;
+                        const Interval etas(std::min(end, end + side * far), std::max(end, end + side * far));
+                        const Crossed verdict = fold.within(fold.speed + beside, radius, sign, etas);
+                        EXPECT_NE(verdict, Crossed::proved);
+                        refused += verdict == Crossed::not_surely_crossed ? 1 : 0;
+                    }
+                }
             }
         }
     }
-    EXPECT_GT(refused, 50);
+    EXPECT_GT(refused, 500);
 }
 
 // Far from any zero, and where another branch would have to be taken.
