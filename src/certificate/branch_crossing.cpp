@@ -202,7 +202,7 @@ Crossed continues_over(const Rigs& rigs, Family family, const Interval& lambda, 
     return has_no_smaller_period(family.chain, all->places()) ? Crossed::proved : Crossed::other_label;
 }
 
-constexpr int most_halvings = 8;
+constexpr int most_halvings = 11;
 
 // The same, in parts if need be: with the members at its middle belonging to both halves.
 Crossed continues_in_parts(const Rigs& rigs, const Family& family, const Interval& lambda,
@@ -251,11 +251,11 @@ struct Zero {
     Family family;
 };
 
-constexpr double small_step = 1e-6;  // relative, of difference quotients
-constexpr int most_steps = 12;       // Newton's method needs 3 to 5
+constexpr int most_steps = 12;  // Newton's method needs 3 to 5
 
-// Newton's method on the middle of f's enclosure, up to its radius.
-std::optional<Zero> zero_of_test(const Rigs& rigs, Family family, double lambda) {
+// Newton's method on the middle of f's enclosure, up to its radius. small_step: of difference quotients,
+// relative.
+std::optional<Zero> zero_of_test(const Rigs& rigs, Family family, double lambda, double small_step) {
     for (int steps = 0; steps < most_steps; ++steps) {
         const double h = small_step * lambda;
         const auto here = members_at(rigs, family, lambda);
@@ -309,7 +309,7 @@ std::optional<Zero> zero_at_fold(const Rigs& rigs, Family family, double lambda,
         return there ? refine(there->approximate, family.chain, relaxation, at) : std::nullopt;
     };
     for (int steps = 0; steps < most_steps; ++steps) {
-        const double h = small_step * lambda;
+        const double h = 1e-6 * lambda;
         const double d = 1e-5 * size;
         const auto beside = slack(s + d, lambda);
         const auto later = slack(s, lambda + h);
@@ -397,8 +397,12 @@ CrossingProof prove_crossing(const job::CellNumbers& numbers, const BranchCrossi
     if (here->springs.flight.is_too_bent()) return {Crossed::cubic_spring};
     if (!family.is_of(here->springs.rig)) return {Crossed::no_orbit_found};
     if (found.event == BranchEvent::fold) return prove_fold(rigs, family, found.near);
-    const std::optional<Zero> zero = zero_of_test(rigs, family, found.near);
-    return zero ? prove_around(rigs, *zero) : CrossingProof{Crossed::no_orbit_found};
+    // Close to a fold, the branch may end within the longer step.
+    for (const double small_step : {1e-6, 1e-9}) {
+        const std::optional<Zero> zero = zero_of_test(rigs, family, found.near, small_step);
+        if (zero) return prove_around(rigs, *zero);
+    }
+    return {Crossed::no_orbit_found};
 }
 
 }  // namespace peterka::certificate
