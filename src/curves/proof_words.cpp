@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -77,7 +78,7 @@ std::string proofs_in_words(const scene::Scene& scene, const CurveSearchResult& 
     const Rig rig(job);
     const std::size_t axis = 1 - gap_axis(job);
     std::vector<double> widths;
-    std::map<Crossed, std::int64_t> others;
+    std::map<Crossed, std::int64_t, std::greater<>> others;
     std::int64_t tried = 0;
     double furthest = 0;
     for (const Curve& curve : found.curves) {
@@ -107,9 +108,8 @@ std::string proofs_in_words(const scene::Scene& scene, const CurveSearchResult& 
             has_cubic_spring(job) ? " (the bounds are with the cubic spring)" : "");
     }
     text += "\n";
-    for (auto each = others.rbegin(); each != others.rend(); ++each) {
-        text +=
-            fmt::format("  not proved          {}: {}\n", readable_count(each->second), reason_of(each->first));
+    for (const auto& [verdict, count] : others) {
+        text += fmt::format("  not proved          {}: {}\n", readable_count(count), reason_of(verdict));
     }
     return text;
 }
