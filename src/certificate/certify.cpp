@@ -4,6 +4,7 @@
 #include "certificate/leg_proof.hpp"
 #include "certificate/orbit_box.hpp"
 #include "certificate/peak_force.hpp"
+#include "certificate/smallest_period.hpp"
 #include "certificate/stability.hpp"
 #include "certificate/start_way.hpp"
 #include "certificate/steady_motion.hpp"
@@ -16,45 +17,6 @@ using Places = std::vector<Place<Interval>>;
 
 Certificate refused(Certified reason) {
     return {.verdict = reason};
-}
-
-bool is_prime(std::int64_t n) {
-    for (std::int64_t d = 2; d * d <= n; ++d) {
-        if (n % d == 0) return false;
-    }
-    return n > 1;
-}
-
-// Whether the orbit surely differs from itself period/parts cycles later: a shorter period would map its events
-// onto one another, in order.
-bool differs_after(const EventChain& chain, const Places& places, std::int64_t parts) {
-    const std::size_t events = places.size();
-    if (events % static_cast<std::size_t>(parts) != 0) return true;
-    const std::size_t shift = events / static_cast<std::size_t>(parts);
-    for (std::size_t i = 0; i + shift < events; ++i) {
-        const std::size_t j = i + shift;
-        const bool other_cycle = chain.events[j].cycle - chain.events[i].cycle != chain.period / parts;
-        const bool differs = chain.events[i].kind != chain.events[j].kind ||
-                             places[i].along.apart(places[j].along) ||
-                             (!other_cycle && places[i].time.apart(places[j].time));
-        if (differs) return true;
-    }
-    return false;
-}
-
-bool has_no_smaller_period(const EventChain& chain, const Places& places) {
-    for (std::int64_t parts = 2; parts <= chain.period; ++parts) {
-        const bool may_be = chain.period % parts == 0 && is_prime(parts);
-        if (may_be && !differs_after(chain, places, parts)) return false;
-    }
-    return true;
-}
-
-// Whether the cubic term may reverse a swing as large as the cart's, or the gap, within a cycle: the bounds of
-// its effect would then be void.
-bool is_too_bent(const Phase<Interval>& phase) {
-    const double u = phase.gap().size() + 1;
-    return !(phase.largest_cubic_slope(u) * size_of(Interval(2) * pi / phase.frequency()) < 1);
 }
 
 // In A0 omega.
@@ -166,7 +128,7 @@ Certificate certify(const job::CellNumbers& numbers, const Claim& claim, OfStart
     const std::optional<Rig> rig = rig_of(numbers);
     if (!rig) return refused(Certified::other_stop);
     Case it{Springs<Interval>(*rig), Springs<double>(middle(*rig)), start_of(numbers), of_start};
-    if (is_too_bent(it.springs.flight)) return refused(Certified::cubic_spring);
+    if (it.springs.flight.is_too_bent()) return refused(Certified::cubic_spring);
     Certificate certificate = claim.regime == cell::Regime::periodic
                                   ? certify_orbit(it, claim.orbit)
                                   : certify_steady(it, claim.regime == cell::Regime::sustained_contact);

@@ -5,7 +5,9 @@
 // are its time and its coordinate along d. The leg between two events, in closed form, contributes two
 // equations: it ends where the next event begins. A bounce of a rigid stop lets the next leg begin along (0,
 // -r) instead. After chatter the hammer rests on a rigid stop until it lifts off, along = 0, at a phase known
-// beforehand: the first event of such a chain, whose equations are just that (chatter.hpp).
+// beforehand: the first event of such a chain, whose equations are just that (chatter.hpp). The two kinds of
+// grazing are turning points, delta' = 0, d = (1, 0), at which delta need not be 0: the equations of a chain
+// with one continue smoothly past a grazing, and describe a motion where along = 0 (branch_crossing.hpp).
 #pragma once
 
 #include <cstddef>
@@ -17,16 +19,23 @@
 namespace peterka::certificate {
 
 enum class EventKind : std::int8_t {
-    touch,     // delta rises through 0: an impact
-    release,   // the stop's force falls through 0
-    resume,    // the force rises through 0 again before the hammer has left
-    bounce,    // delta rises through 0, and a rigid stop reverses the velocity: an impact
-    lift_off,  // the acceleration that presses the hammer at rest against a rigid stop falls through 0
+    touch,            // delta rises through 0: an impact
+    release,          // the stop's force falls through 0
+    resume,           // the force rises through 0 again before the hammer has left
+    bounce,           // delta rises through 0, and a rigid stop reverses the velocity: an impact
+    lift_off,         // the acceleration that presses the hammer at rest against a rigid stop falls through 0
+    graze,            // a flight's largest delta: it just reaches the stop
+    resume_at_graze,  // a flight's smallest delta beyond the surface, from which on the stop presses again: the
+                      // hammer just fails to leave it
 };
+
+constexpr bool is_grazing(EventKind kind) {
+    return kind == EventKind::graze || kind == EventKind::resume_at_graze;
+}
 
 // Whether the stop presses after an event.
 constexpr bool presses_after(EventKind kind) {
-    return kind == EventKind::touch || kind == EventKind::resume;
+    return kind == EventKind::touch || kind == EventKind::resume || kind == EventKind::resume_at_graze;
 }
 
 struct Event {
@@ -67,8 +76,13 @@ struct Springs {
     }
     [[nodiscard]] const Phase<Number>& phase(bool presses) const { return presses ? contact : flight; }
     [[nodiscard]] Vector<Number> surface(EventKind kind) const {
+        if (is_grazing(kind)) return {Number(1), Number(0)};
         const bool without_force = kind == EventKind::release || kind == EventKind::resume;
         return without_force ? release : Vector<Number>{Number(0), Number(1)};
+    }
+    // The coordinate along d of a state on the surface, in doubles.
+    [[nodiscard]] Number along(EventKind kind, const Vector<Number>& state) const {
+        return surface(kind).velocity == 1 ? state.velocity : state.position;
     }
     // The direction along which the leg after an event begins.
     [[nodiscard]] Vector<Number> leaving(EventKind kind) const {

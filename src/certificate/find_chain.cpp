@@ -90,8 +90,7 @@ Walk::End Walk::meet(double offset, const Moment<double>& now, Event& event) {
                  : presses_               ? EventKind::release
                  : now.state.velocity < 0 ? EventKind::resume
                                           : EventKind::touch;
-    const Vector<double> surface = springs_->surface(event.kind);
-    event.along = surface.velocity == 1 ? now.state.velocity : now.state.position;
+    event.along = springs_->along(event.kind, now.state);
     event.time = time_ + offset;
     leave(event);
     return End::event;

@@ -65,6 +65,12 @@ void sort_into_cycle(Event& event, double period);
 // Newton's method on the equations of a chain: false if it does not converge.
 [[nodiscard]] bool refine(const Springs<double>& springs, EventChain& chain);
 
+// The unknowns of a chain in their order: 2 i the time of event i, 2 i + 1 its coordinate.
+[[nodiscard]] inline double& unknown_of(EventChain& chain, std::size_t number) {
+    Event& event = chain.events[number / 2];
+    return number % 2 == 0 ? event.time : event.along;
+}
+
 [[nodiscard]] std::vector<Place<double>> places_of(const EventChain& chain);
 
 // The legs' equations in order, two rows each; columns are (time, along) of the events.

@@ -26,6 +26,14 @@ double surely_before(const Springs<Interval>& springs, const Phase<Interval>& ph
     return (Interval(bend) * time / Interval(2)).hi < watched.slope.lo ? time : 0;
 }
 
+// The same before a grazing: from rest on the surface, with delta'' < 0.
+double surely_before_grazing(const Phase<Interval>& phase, const Moment<Interval>& end) {
+    const Interval acceleration = phase.acceleration({Interval(0), Interval(0)}, end.angle.sine);
+    if (!acceleration.negative()) return 0;
+    const double cap = short_time(phase);
+    return std::min(cap, 2.9 * -acceleration.hi / bends(phase, end, cap, Within::both_ways).jerk);
+}
+
 Signal signal_of(EventKind kind) {
     switch (kind) {
         case EventKind::touch:
@@ -34,6 +42,8 @@ Signal signal_of(EventKind kind) {
         case EventKind::release:
             return Signal::pull;
         case EventKind::resume:
+        case EventKind::resume_at_graze:
+        case EventKind::graze:     // has none
         case EventKind::lift_off:  // ends a rest, not a leg
             break;
     }
@@ -87,7 +97,8 @@ bool March::begin(std::optional<EventKind> from, double until) {
         return (!on_surface || state.velocity.negative()) && step(until, on_surface);
     }
     if (*from == EventKind::lift_off) return lift_off(until);
-    if (*from == EventKind::bounce && springs_->rig.restitution.hi == 0) return leave_at_once(until);
+    const bool stops_there = *from == EventKind::bounce && springs_->rig.restitution.hi == 0;
+    if (stops_there || *from == EventKind::graze) return leave_at_once(until);
     const bool presses_at_once = *from == EventKind::touch && springs_->rig.damping.positive();
     return step(until, !presses_at_once);
 }
@@ -105,7 +116,8 @@ bool leg_is_free(const Springs<Interval>& springs, const Leg<Interval>& leg, con
     if (presses != (to == EventKind::release) || !length.positive()) return false;
     const Moment<Interval> met = leg.moment(scaled(springs.surface(to), end.along), end.time);
     if (to == EventKind::resume && !met.state.position.positive()) return false;
-    const double before = surely_before(springs, leg.phase(), signal_of(to), met);
+    const double before = to == EventKind::graze ? surely_before_grazing(leg.phase(), met)
+                                                 : surely_before(springs, leg.phase(), signal_of(to), met);
     if (!(before > 0)) return false;
     const double until = (Interval(length.hi) - Interval(before)).hi;
     March march(springs, leg, presses);

@@ -5,6 +5,10 @@
 // 0 only with delta' <= 0, where this fails). A rigid stop is not met as long as delta < 0. At an end, the
 // signal that makes the event is 0, and its slope tells from which side it comes. In between, steps are proved
 // one after the other by S(t + h) <= S + S' h + C h^2/2 with a bound C of |S''| (bends.hpp).
+//
+// A grazing is taken to have along = 0, whatever its enclosure: the proof is about motions that graze. There,
+// at rest on the surface, delta < 0 before and after if delta'' < 0; where the stop presses again instead, the
+// force rises through 0 as at any renewed contact.
 #pragma once
 
 #include <optional>
@@ -36,9 +40,9 @@ class March {
     [[nodiscard]] double offset() const { return offset_; }
 
   private:
-    // The first step from rest on a rigid stop, where the first derivative of delta that is not 0 is negative:
-    // the second, after an impact with r = 0, or the third, at a lift-off. Then delta stays negative for 3, or
-    // 4, times its size over a bound of the next derivative.
+    // The first step from rest on the surface, where the first derivative of delta that is not 0 is negative:
+    // the second, after an impact with r = 0 or at a grazing, or the third, at a lift-off. Then delta stays
+    // negative for 3, or 4, times its size over a bound of the next derivative.
     [[nodiscard]] bool leave_at_once(double until);
     [[nodiscard]] bool lift_off(double until);
 

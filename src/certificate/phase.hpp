@@ -124,6 +124,12 @@ class Phase {
         return 3 * size_of(cubic_) * (absolute_ ? (u + 1) * (u + 1) : u * u) * 1.000000001;
     }
     [[nodiscard]] double swing() const { return swing_; }  // upper bound of |R|
+    // Whether the cubic term may reverse a swing as large as the cart's, or the gap, within a cycle: the bounds
+    // of its effect would then be void.
+    [[nodiscard]] bool is_too_bent() const {
+        const double cycle = size_of(Number(2) * pi.hi / frequency_);
+        return !(largest_cubic_slope(size_of(gap_) + 1) * cycle < 1);
+    }
 
     [[nodiscard]] Number acceleration(const Vector<Number>& state, const Number& sine) const {
         const Number linear = drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;

@@ -76,4 +76,8 @@ Interval speed_unit(const job::CellNumbers& numbers) {
     return omega_of(numbers.hammer) * numbers.cart.amplitude_m;
 }
 
+Interval natural_frequency_hz(const job::CellNumbers& numbers) {
+    return omega_of(numbers.hammer) / (Interval(2) * pi);
+}
+
 }  // namespace peterka::certificate

@@ -40,5 +40,6 @@ struct EnclosedStart {
 // The factors from F/(k A0) to F/(m g0), omega^2 A0/g0, and from A0 omega to m/s.
 [[nodiscard]] Interval force_ratio(const job::CellNumbers& numbers);
 [[nodiscard]] Interval speed_unit(const job::CellNumbers& numbers);
+[[nodiscard]] Interval natural_frequency_hz(const job::CellNumbers& numbers);
 
 }  // namespace peterka::certificate

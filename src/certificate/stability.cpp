@@ -55,7 +55,7 @@ Matrix<Interval> saltation_of_bounce(const Springs<Interval>& springs, const Pla
 
 }  // namespace
 
-double stability_margin(const Springs<Interval>& springs, const EventChain& chain,
+Multipliers multipliers(const Springs<Interval>& springs, const EventChain& chain,
                         const std::vector<Place<Interval>>& places) {
     Product product;
     Interval contraction;     // -ln of the flows' determinants, exp(-c t) each
@@ -71,7 +71,13 @@ double stability_margin(const Springs<Interval>& springs, const EventChain& chai
         product.multiply(leg.flow(length));
         contraction += springs.phase(chain.presses(i)).damping() * length;
     }
-    return stability_margin(determinant * exp(-contraction), product.trace());
+    return {determinant * exp(-contraction), product.trace()};
+}
+
+double stability_margin(const Springs<Interval>& springs, const EventChain& chain,
+                        const std::vector<Place<Interval>>& places) {
+    const Multipliers of_orbit = multipliers(springs, chain, places);
+    return stability_margin(of_orbit.determinant, of_orbit.trace);
 }
 
 }  // namespace peterka::certificate

@@ -14,6 +14,13 @@
 
 namespace peterka::certificate {
 
+struct Multipliers {  // of the monodromy matrix M
+    Interval determinant;
+    Interval trace;
+};
+[[nodiscard]] Multipliers multipliers(const Springs<Interval>& springs, const EventChain& chain,
+                                      const std::vector<Place<Interval>>& places);
+
 // A lower bound of min(1 - |det M|, 1 + det M - |tr M|): positive if the orbit is stable.
 [[nodiscard]] double stability_margin(const Interval& determinant, const Interval& trace);
 [[nodiscard]] double stability_margin(const Springs<Interval>& springs, const EventChain& chain,

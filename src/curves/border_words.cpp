@@ -12,6 +12,7 @@
 
 #include "curves/asked_gaps.hpp"
 #include "curves/beside.hpp"
+#include "curves/proof_words.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/twins.hpp"
 
@@ -40,6 +41,7 @@ struct Border {
     double at = 0;  // in the unit given in the heading
     CurveKind kind = CurveKind::fold;
     std::vector<Label> labels;  // of the regimes that it bounds
+    std::string proof;          // in words
 };
 
 // The labels of stable motions that exist on one side of a curve only. Where a motion ends and another one with
@@ -68,7 +70,8 @@ std::vector<Label> labels_bounded_at(const Rig& rig, const PlanePoint& window, c
 class AlongBorders {
   public:
     explicit AlongBorders(const scene::Scene& scene)
-        : rig_(scene.job()),
+        : job_(scene.job()),
+          rig_(scene.job()),
           gap_axis_(gap_axis(scene.job())),
           key_(rig_.key(axis())),
           hertz_(scene.scales().frequency_rad_per_s / (2 * std::numbers::pi)),
@@ -90,8 +93,9 @@ class AlongBorders {
             for (const Crossing& crossing : curve.crossings) {
                 if (std::abs(coordinate(crossing.place, gap_axis_) - gap) >= 1e-9) continue;
                 const Seed seed{curve.kind, {crossing.orbit, crossing.place}};
-                borders.push_back(
-                    {number(crossing.place), curve.kind, labels_bounded_at(rig_, window_, seed, axis())});
+                borders.push_back({number(crossing.place), curve.kind,
+                                   labels_bounded_at(rig_, window_, seed, axis()),
+                                   proof_in_words(job_, key_, crossing.proof)});
             }
         }
         std::ranges::sort(borders, {}, &Border::at);
@@ -118,6 +122,7 @@ class AlongBorders {
                                        : coordinate(rig_.values_at(place), axis());
     }
 
+    const job::Job& job_;
     Rig rig_;
     std::size_t gap_axis_;
     std::string key_;  // of that axis
@@ -128,7 +133,8 @@ class AlongBorders {
     PlanePoint window_;
 };
 
-std::string borders_of(const Label& label, const std::vector<Border>& borders) {
+std::string borders_of(const Label& label, const std::vector<Border>& borders, bool with_proofs) {
+    const char* separator = with_proofs ? ",\n             " : ", ";
     std::string text;
     const Border* last = nullptr;
     for (const Border& border : borders) {
@@ -136,8 +142,8 @@ std::string borders_of(const Label& label, const std::vector<Border>& borders) {
             last != nullptr && last->kind == border.kind && border.at - last->at < 1e-9 * std::abs(border.at);
         if (again || std::ranges::count(border.labels, label) == 0) continue;
         last = &border;
-        text += fmt::format("{}{:#.9g} {}", text.empty() ? "" : ", ", border.at,
-                            kind_of_border[static_cast<std::size_t>(border.kind)]);
+        text += fmt::format("{}{:#.9g} {}{}", text.empty() ? "" : separator, border.at,
+                            kind_of_border[static_cast<std::size_t>(border.kind)], border.proof);
     }
     if (text.empty()) return "";
     const auto [period, impacts] = label;
@@ -156,10 +162,10 @@ std::string borders_in_words(const scene::Scene& scene, const CurveSearchResult&
     for (const double gap : along.gaps(job)) {
         const auto borders = along.at(found, gap);
         std::string lines;
-        for (const Label& label : labels) lines += borders_of(label, borders);
+        for (const Label& label : labels) lines += borders_of(label, borders, job.certificate.cells > 0);
         text += along.heading(gap) + (lines.empty() ? "  none\n" : lines);
     }
-    return text;
+    return text + proofs_in_words(scene, found);
 }
 
 }  // namespace peterka::curves

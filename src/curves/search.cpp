@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "curves/asked_gaps.hpp"
+#include "curves/crossing_proof.hpp"
 #include "curves/free_motion.hpp"
 #include "curves/known_curves.hpp"
 #include "curves/label_edges.hpp"
@@ -22,6 +23,7 @@ class CurveSearch {
     CurveSearch(const scene::Scene& scene, const Deal& deal, const Watcher& watcher)
         : deal_(deal),
           watcher_(watcher),
+          job_(scene.job()),
           rig_(scene.job()),
           map_(scene, rig_),
           most_period_(scene.job().curves.max_period),
@@ -44,6 +46,7 @@ class CurveSearch {
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) found_.sites.push_back(map_.site(cell));
         put_in_order();
         trace_branches();
+        if (job_.certificate.cells > 0) prove_crossings();
         if (wants_distances_) measure_distances();
         return found_;
     }
@@ -250,6 +253,36 @@ class CurveSearch {
         });
     }
 
+    void prove_crossings() {
+        struct Task {
+            CurveKind kind;
+            Crossing* crossing;
+        };
+        std::vector<Task> tasks;
+        for (Curve& curve : found_.curves) {
+            for (Crossing& crossing : curve.crossings) tasks.push_back({curve.kind, &crossing});
+        }
+        watcher_.begins({"prove", "crossings", std::ssize(tasks)});
+        const auto results = deal_(
+            std::ssize(tasks),
+            [&](std::int64_t number) {
+                const Stopwatch stopwatch;
+                const Task& task = tasks[static_cast<std::size_t>(number)];
+                const certificate::CrossingProof proof = proof_of(job_, rig_, task.kind, *task.crossing);
+                return Numbers{static_cast<double>(proof.verdict), proof.at.lo, proof.at.hi,
+                               stopwatch.seconds()};
+            },
+            watcher_.advances);
+        for (std::size_t i = 0; i < tasks.size(); ++i) {
+            NumberReader reader(results[i]);
+            certificate::CrossingProof& proof = tasks[i].crossing->proof;
+            proof.verdict = static_cast<certificate::Crossed>(reader.integer());
+            proof.at.lo = reader.number();
+            proof.at.hi = reader.number();
+            found_.proof_seconds += reader.number();
+        }
+    }
+
     void measure_distances() {
         const auto line_of = [&](std::int64_t task) {
             return task < map_.rows() ? LineOfCells{true, task} : LineOfCells{false, task - map_.rows()};
@@ -298,6 +331,7 @@ class CurveSearch {
 
     const Deal& deal_;
     const Watcher& watcher_;
+    const job::Job& job_;
     Rig rig_;
     CoarseMap map_;
     std::int64_t most_period_;

@@ -1,9 +1,11 @@
 #include "curves/tables.hpp"
 
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "cell/labels.hpp"
+#include "curves/asked_gaps.hpp"
 #include "curves/axes_of_file.hpp"
 #include "curves/branch_tables.hpp"
 #include "curves/columns.hpp"
@@ -21,6 +23,11 @@ constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double
 constexpr const char* edge_names[] = {"fold", "period_doubling", "grazing", "none", "unknown"};
 constexpr const char* label_edge_names[] = {"edge", "same_label", "other_start", "narrow", "unknown"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};
+constexpr const char* crossed_names[] = {"not_surely_crossed", "near_grazing",   "no_orbit_enclosed",
+                                         "other_label",        "no_orbit_found", "other_stop",
+                                         "cubic_spring",       "not_tried",      "proved"};
+static_assert(std::size(crossed_names) ==
+              static_cast<std::size_t>(certificate::Crossed::proved) + 1 - certificate::first_crossed);
 
 template <class Items>
 void add_places(Columns& columns, const char* prefix, const AxesOfFile& axes, const Rig& rig,
@@ -162,7 +169,7 @@ Columns columns_of_specials(const CurveSearchResult& found, const Rig& rig, cons
     return of_specials;
 }
 
-Columns columns_of_crossings(const CurveSearchResult& found, const Rig& rig, const AxesOfFile& axes) {
+Columns columns_of_crossings(const CurveSearchResult& found, const Rig& rig, const AxesOfFile& axes, const job::Job& job) {
     const auto [crossings, curve] = Together(found, &Curve::crossings);
     Columns of_crossings("/", "crossing", std::ssize(crossings));
     of_crossings.add_counter("number of the crossing");
@@ -170,6 +177,11 @@ Columns columns_of_crossings(const CurveSearchResult& found, const Rig& rig, con
     add_places(of_crossings, "crossing_", axes, rig, crossings);
     of_crossings.add({"crossing_multiplier", Number::float64, nan, "1", "as point_multiplier"}, numbers_of(crossings, [](const Crossing& c) { return c.multiplier; }));
     of_crossings.add({"crossing_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(crossings, [&](const Crossing& c) { return rig.force_ratio(c.place) * c.peak_force; }));
+    if (job.certificate.cells == 0) return of_crossings;
+    const Variable& along = (gap_axis(job) == 0 ? axes.row : axes.column).coordinate;
+    of_crossings.add({"crossing_certified", Number::int8, -128, "", "whether it is proved in interval arithmetic that the orbit changes so between the two bounds, at exactly this gap, or why not (negative)", crossed_names, certificate::first_crossed}, numbers_of(crossings, [](const Crossing& c) { return static_cast<int>(c.proof.verdict); }));
+    of_crossings.add({"crossing_lower", Number::float64, nan, along.units, "proved bound of the coordinate other than the gap"}, numbers_of(crossings, [](const Crossing& c) { return c.proof.at.lo; }));
+    of_crossings.add({"crossing_upper", Number::float64, nan, along.units, "proved bound of the coordinate other than the gap"}, numbers_of(crossings, [](const Crossing& c) { return c.proof.at.hi; }));
     return of_crossings;
 }
 
@@ -211,7 +223,7 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const CurveSea
     append_if_any(columns_of_curves(found));
     append_if_any(columns_of_points(found, rig, axes));
     append_if_any(columns_of_specials(found, rig, axes));
-    append_if_any(columns_of_crossings(found, rig, axes));
+    append_if_any(columns_of_crossings(found, rig, axes, scene.job()));
     append(branch_tables(rig, axes, found.branches));
     append(counts_of_edges(found.edges));
     append_if_any(columns_of_run(found));  // the group to which the run's data are added

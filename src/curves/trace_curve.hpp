@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "certificate/branch_crossing.hpp"
 #include "curves/follow.hpp"
 
 namespace peterka::curves {
@@ -55,6 +56,7 @@ struct Crossing {
     double multiplier = 0;  // as in CurvePoint
     double peak_force = 0;
     Orbit orbit;
+    certificate::CrossingProof proof = {};  // if requested; not sent between ranks
 };
 
 enum class CurveEnd : std::int8_t { border = 0, special = 1, closed = 2, lost = 3 };

@@ -174,7 +174,8 @@ struct Audit {
 
 inline constexpr std::int64_t every_cell = std::numeric_limits<std::int64_t>::max();
 
-// How much of a map, basin or sweep is to be proved in interval arithmetic.
+// How much of a map, basin, sweep or of the places where curves have given gaps is to be proved in interval
+// arithmetic.
 struct Certificate {
     std::int64_t cells = 0;  // number tried, sampled from all; every_cell: all
     bool starts = false;     // also that [start] leads there, through all impacts
@@ -286,7 +287,7 @@ struct Job {
     Solver solver;
     Output output;
     Audit audit;
-    Certificate certificate;  // map, basin and sweep
+    Certificate certificate;  // map, basin, sweep and curves
     Refine refine;            // map only
     Starts starts;            // map or sweep
     Uncertainty uncertainty;  // map or sweep

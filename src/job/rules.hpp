@@ -49,6 +49,8 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_curves(const Job& job);
 // For the window of the curves, and the gaps in it.
 [[nodiscard]] std::string rule_of_window(const Job& job);
+// For proofs of where curves have these gaps.
+[[nodiscard]] std::string rule_of_proved_crossings(const Job& job);
 [[nodiscard]] std::string rule_of_coarse_map(const Job& job);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 

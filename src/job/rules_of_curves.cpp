@@ -73,6 +73,13 @@ std::string rule_of_window(const Job& job) {
     return job.curves.gaps().empty() ? "" : rule_of_gaps_on_curves(job);
 }
 
+std::string rule_of_proved_crossings(const Job& job) {
+    if (job.certificate.cells == 0 || !job.curves.gaps().empty()) return {};
+    return "certificate.cells asks for proofs, and [curves] names no gap; of curves only the places with such "
+           "a gap "
+           "are proved; give curves.gap_ratio or curves.gap_m, or remove [certificate]";
+}
+
 // Each rank keeps the whole coarse map, and ranks exchange all of it at once: its bytes must be counted in 32
 // bits.
 std::string rule_of_coarse_map(const Job& job) {

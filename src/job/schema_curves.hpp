@@ -43,6 +43,21 @@ void describe_borders(Walker& file, Job& job) {
 }
 
 template <typename Walker>
+void describe_certificate_of_curves(Walker& file, Job& job) {
+    file.table({.name = "certificate",
+                .meaning = "proof in interval arithmetic of where curves have the gaps of [curves]",
+                .is_written = job.certificate.cells > 0},
+               [&](auto& table) {
+                   table.count_or_all({"cells", "\"all\", or any number: each such place is tried; 0 for none"},
+                                      job.certificate.cells,
+                                      from_to<std::int64_t>(0, every_cell, "it counts cells"));
+                   table.refuse("starts",
+                                "is for maps, basins and sweeps; curves are about no start; remove this key");
+               });
+    file.rule({"certificate", "curves"}, [&] { return rule_of_proved_crossings(job); });
+}
+
+template <typename Walker>
 void describe_curves(Walker& file, Job& job) {
     describe_plane(file, job);
     file.table({"curves", "which curves are traced"}, [&](auto& table) {
@@ -61,8 +76,7 @@ void describe_curves(Walker& file, Job& job) {
     file.refuse("uncertainty", "is for maps and sweeps; curves are those of one rig; remove this table");
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
     file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
-    file.refuse("certificate",
-                "is for maps, basins and sweeps; each point of a curve has its residual; remove this table");
+    describe_certificate_of_curves(file, job);
     file.refuse("study", "belongs to kind = \"study\"; curves compare nothing; remove this table");
     file.refuse("limits", "is for maps; cells that fail bear no curve; remove this table");
 }
