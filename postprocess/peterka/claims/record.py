@@ -27,7 +27,8 @@ LIMITS = (
     ("Drift", f"most of the force is left where a place has, at the worst, still {100 * (1 - SHARE):.0f} % of the largest one that a "
      "place of the same gap has without the drift"),
     ("Jumps of a sweep", "change the force by more than a twentieth of the branch's largest one and, between motions with a "
-     "period, by more than twice as much as the steps beside it; a motion of four points or more begins or ends there"),
+     "period, by more than twice as much as the steps beside it; a motion of four points or more begins or ends there, or one of fewer where "
+     "the change is more than twice each of the four before and after it"),
 )
 SETTLED = ("The limits of frequencies, forces and ratios were set before the numbers were seen. The others, and what is "
            "asked of the claims that print no number, were settled after a first look.")
