@@ -108,7 +108,7 @@ files=0
 all_files
 
 # The same for rigs with other ki, ci and gaps, within the errors that a measured rig has.
-rigs=$(pick 16 2)
+rigs=$(pick 16 1)
 PYTHONPATH=postprocess /usr/bin/python3 -m peterka.claims.drawn_rigs "$folder" "$rigs"
 for number in $(seq "$rigs"); do
     echo "[rig $number of $rigs]"
