@@ -163,9 +163,9 @@ std::string in_words(const scene::Scene& scene, const CurveSearchResult& found) 
         "\n{}\n{} {}, {} points, residual {:.1e} at most: of the orbit's equations over 1 + its largest "
         "velocity, and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}{}",
         title, found.curves.size(), found.curves.size() == 1 ? "curve" : "curves",
-        readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found), reach_in_words(scene),
-        specials_text(found), edges_text(found.edges), label_edges_text(job, found), distances_text(job, found),
-        borders_in_words(scene, found));
+        readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found),
+        reach_in_words(scene), specials_text(found), edges_text(found.edges), label_edges_text(job, found),
+        distances_text(job, found), borders_in_words(scene, found));
 }
 
 std::string speed_in_words(const CurveSearchResult& found) {

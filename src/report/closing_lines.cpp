@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <system_error>
 
 #include "support/readable.hpp"
@@ -20,7 +22,9 @@ std::string_view drawing_program() {
 
 std::string closing_lines(std::string_view what, const std::filesystem::path& file) {
     const std::string name = file.string();
-    return fmt::format("{:<11} {}\n{:<11} {} {}\n", what, name, "Draw it", drawing_program(), shell_word(name));
+    const std::size_t width = std::max<std::size_t>(what.size(), 10);
+    return fmt::format("{:<{}} {}\n{:<{}} {} {}\n", what, width, name, "Draw it", width, drawing_program(),
+                       shell_word(name));
 }
 
 }  // namespace peterka

@@ -173,8 +173,7 @@ std::string summary_text(const SummaryInput& input) {
            elasticities_summary(input.scene.job(), input.findings.statistics) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + input.borders +
            effort(input) + certificate_summary(input.scene, input.findings.statistics) + audit(input) +
-           omitted(input) +
-           "\n" + closing_lines(kind, input.file);
+           omitted(input) + "\n" + closing_lines(kind, input.file);
 }
 
 }  // namespace peterka

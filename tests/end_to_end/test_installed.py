@@ -45,7 +45,7 @@ def call(prefix, tmp_path):
 
 def test_the_programs_find_each_other_and_the_engine(prefix, call, tmp_path):
     job = prefix / "share/peterka/jobs/smoke.toml"
-    assert call("peterka", "run", job, "--output", "map.h5").endswith("Draw it     peterka-draw map.h5\n")
+    assert call("peterka", "run", job, "--output", "map.h5").endswith("Draw it    peterka-draw map.h5\n")
     assert "pictures/map_map.png" in call("peterka-draw", "map.h5", "--only", "map", "--formats", "png")
     assert call("peterka-explore", "map.h5").splitlines() == ["map.html"]  # and no word of a missing engine
     told = call("/usr/bin/python3", "-c", f"import peterka, xarray; print(peterka.check({str(job)!r})); "

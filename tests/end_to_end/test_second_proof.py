@@ -62,10 +62,9 @@ def word(numbers, claim, **changes):
 
 def test_altered_claims_are_contradicted(claims):
     numbers, claim = next((numbers, claim) for numbers, claim in claims if claim.period == 1)
-    force, tiny = claim.force_upper, 1e-9 * claim.force_upper
+    force, tiny = claim.upper, 1e-9 * claim.upper
     assert word(numbers, claim) == cells.CONFIRMED
-    for changes in ({"force_lower": force + tiny, "force_upper": force + 2 * tiny},
-                    {"force_lower": force - 2 * tiny, "force_upper": force - tiny},
+    for changes in ({"lower": force + tiny, "upper": force + 2 * tiny}, {"lower": force - 2 * tiny, "upper": force - tiny},
                     {"stability_margin": claim.stability_margin * 1.001},
                     {"impacts": claim.impacts + 1}, {"period": 2, "impacts": 2 * claim.impacts},
                     {"period": 3, "impacts": 3 * claim.impacts}):
@@ -86,7 +85,14 @@ def test_a_file_without_orbits_is_refused(tmp_path):
     assert "orbit" in finished.stderr
 
 
-def test_a_rigid_stop_is_refused_in_words(tmp_path):
-    finished = check(solved(tmp_path, jobs.with_rigid_stop(text(4, '"orbit"'))))
+def test_orbits_of_a_rigid_stop_are_confirmed(tmp_path):
+    finished = check(solved(tmp_path, jobs.with_rigid_stop(text(4, '"orbit", "impact_speed"'))))
+    assert finished.returncode == 0, finished.stderr
+    assert " 0 not decided, 0 contradicted" in finished.stdout and int(finished.stdout.split(" cells")[0].split()[-1]) >= 8
+
+
+def test_another_law_is_refused_in_words(tmp_path):
+    law = 'law = "hunt_crossley"\nstiffness_n_per_m_pow_n = 5.5e8\ndissipation_s_per_m = 0.3\n'
+    finished = check(solved(tmp_path, text(2, '"orbit"').replace(jobs.KELVIN_VOIGT, law)))
     assert finished.returncode == 2
-    assert "another stop than a spring and dashpot" in finished.stderr
+    assert "another stop than a spring and dashpot or a rigid one" in finished.stderr

@@ -262,7 +262,9 @@ TEST(Summary, BordersStandBeforeTheFileAndTheCommandThatDrawsIt) {
 
 TEST(Summary, EffortFileAndCommand) {
     const std::string text = summary(statistics_of_a_hundred_cells());
-    EXPECT_TRUE(contains(text, "25.0 forcing cycles and 5.0 ms per cell, 500.0 ms of computing")) << text;
+    EXPECT_TRUE(
+        contains(text, "25.0 forcing cycles and 5.0 ms per cell, 500.0 ms on the clocks of all ranks together"))
+        << text;
     EXPECT_TRUE(contains(text, "12.5 s on 3 ranks")) << text;
     EXPECT_TRUE(contains(text, "postprocess/draw.py maps/a.h5")) << text;
 }
