@@ -209,13 +209,15 @@ def test_a_motion_of_all_cells_around_a_point_is_interpolated(tmp_path):
 
 def test_the_swing_without_impact_is_a_motion_of_each_place_that_has_it(tmp_path):
     """At half the natural frequency the swing reaches 1/3 A0, well below a gap of 1 and above one of 0.2."""
-    write_map(tmp_path / "m.h5", np.full((3, 2, 3), 1), frequency_ratio=np.array([0.5, 0.51]), gap_ratio=np.array([0.2, 1, 2]),
+    labels = np.full((3, 2, 3), 1)
+    labels[2] = (0, 0, 1)  # told once, where the start leads to it, too
+    write_map(tmp_path / "m.h5", labels, frequency_ratio=np.array([0.5, 0.51]), gap_ratio=np.array([0.2, 1, 2]),
               job="[hammer]\nmass_kg = 0.298\nnatural_frequency_hz = 4.5\ndamping_ratio = 0.01\n[cart]\namplitude_m = 0.89e-3\n")
-    text = "frequency_ratio,gap_ratio,force_ratio\n0.5,1,0\n0.5,0.2,0\n0.5,0.8,0\n"
+    text = "frequency_ratio,gap_ratio,force_ratio\n0.5,1,0\n0.5,0.2,0\n0.5,0.8,0\n0.5,2,0\n"
     with PeterkaFile(tmp_path / "m.h5") as file:
-        both, one, between = places_of(file, text, tmp_path)
+        both, one, between, own = places_of(file, text, tmp_path)
     assert [(each.motion.words, each.force) for each in both] == [("no impact", 0), ("1/1", 11)]
-    assert [each.motion.words for each in one] == ["1/1"]
+    assert [each.motion.words for each in one] == ["1/1"] and [each.motion.words for each in own] == ["no impact"]
     assert [(each.motion.words, each.away) for each in between] == [("no impact", (0, pytest.approx(0.2))), ("1/1", None)]
 
 
