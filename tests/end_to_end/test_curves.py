@@ -208,7 +208,7 @@ def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
         for _, _, frequency in BORDERS:
             assert any(abs(float(number) - 4.5 * frequency) < 6e-8 for number in told)
     assert "is complete: nothing is computed" in again.stdout
-    assert all(finished.stdout.endswith("Draw it     postprocess/draw.py job.h5\n") for finished in (first, again))
+    assert all(finished.stdout.endswith("Draw it    postprocess/draw.py job.h5\n") for finished in (first, again))
     one, other = map_contents.datasets(path), map_contents.datasets(plain)
     # the stored text of the job, and hence the seals, reflect the request
     assert one.keys() == other.keys()
