@@ -35,6 +35,14 @@ def test_holes_stay_holes(tmp_path, ranks):
     assert (result["finished"], result["solved"], result["twice"]) == (1, 300 - 43, 0)
 
 
+@pytest.mark.parametrize("ranks", RANKS)
+@pytest.mark.parametrize("tasks", [0, 1, 23, 400])
+def test_every_rank_has_the_numbers_of_all_tasks(tmp_path, ranks, tasks):
+    finished = check(tmp_path, tasks, "numbers", ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    assert finished.stdout == f"{ranks or 1} of {ranks or 1} ranks have all numbers, {tasks} told\n"
+
+
 def test_long_runs_are_counted_and_no_rank_takes_it_all(tmp_path):
     result = outcome(check(tmp_path, 2000, "deal", ranks=2))
     assert (result["finished"], result["progress"]) == (1, 256 * 2000)

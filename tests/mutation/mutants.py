@@ -100,7 +100,7 @@ def operand_begin(code: str, place: int) -> int:
             if depth == 0:
                 return index + 1
             depth -= 1
-        elif depth == 0 and (code[index] in ";," or code.startswith(("|| ", "? ", ": ", "= ", "return "), index) and code[index - 1] in " \n\t"):
+        elif depth == 0 and (code[index] in ";," or code.startswith(("|| ", "? ", ": ", "= ", "=\n", "return "), index) and code[index - 1] in " \n\t"):
             return index + len(re.match(r"\w+|\W+?(?=[ ;,\w(]|$)", code[index:]).group())
     return 0
 

@@ -149,7 +149,9 @@ class Tree:
             (self.build / "refused.json").write_text(json.dumps(sorted(self.refused_before), indent=0))
 
     def refused(self, log: str) -> set[int]:
-        """The mutants on the lines that the compiler names in errors, or nearest to them."""
+        """The mutants that the compiler names in errors, or on the lines that it names, or nearest to them."""
+        if named := {int(number) for number in re.findall(r" error: .*asked\(\) \[with int number = (\d+);.*in a constant expression", log)}:
+            return named
         places = re.findall(r"\btree/src/([^:\s]+):(\d+):\d+:\s+(?:fatal )?(?:error|required)", log)
         at = defaultdict(set)
         for number, mutant in self.mutants.items():

@@ -1,9 +1,10 @@
 // Deals made-up work under mpirun and says on rank 0 what became of it; tests/end_to_end/test_dealing.py looks
 // at it.
 //
-// usage: dealing_check TILES (deal | holes | stop RANK | fail RANK | fail-everywhere | fail-on-root)
+// usage: dealing_check TILES (deal | holes | stop RANK | fail RANK | fail-everywhere | fail-on-root | numbers)
 // Tile i is "solved" by counting to a number that differs from tile to tile. Each rank remembers what it
 // solved; in the end rank 0 sums up: "finished F, solved S tiles, D twice, progress P cells, largest share M".
+// "numbers": each tile's result is i % 5 numbers i/2; rank 0 says "R of N ranks have all numbers, T told".
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +15,9 @@
 #include "parallel/checked.hpp"
 #include "parallel/dealing.hpp"
 #include "parallel/session.hpp"
+#include "run/deal_numbers.hpp"
 #include "support/stop_if_asked.hpp"
+#include "support/stop_request.hpp"
 
 namespace {
 
@@ -62,7 +65,28 @@ void sum_up(const Session& session, bool finished, std::vector<int> solved, std:
                std::ranges::count_if(times, [](int n) { return n > 1; }), progress_cells, largest_share);
 }
 
+std::vector<double> numbers_of(std::int64_t tile) {
+    return std::vector<double>(static_cast<std::size_t>(tile % 5), 0.5 * static_cast<double>(tile));
+}
+
+ExitCode deal_numbers_of(const Session& session, std::int64_t tiles) {
+    const StopRequest stop;
+    std::int64_t told = 0;
+    const auto count = [&](std::int64_t solved) { told += solved; };
+    const auto all = deal_numbers(session, stop, tiles, numbers_of, count);
+    bool has_all = std::ssize(all) == tiles;
+    for (std::int64_t tile = 0; tile < tiles && has_all; ++tile)
+        has_all = all[static_cast<std::size_t>(tile)] == numbers_of(tile);
+    const int own = has_all ? 1 : 0;
+    int ranks = 0;
+    parallel::checked("MPI_Reduce", MPI_Reduce(&own, &ranks, 1, MPI_INT, MPI_SUM, 0, session.communicator()));
+    if (session.is_root())
+        fmt::print("{} of {} ranks have all numbers, {} told\n", ranks, session.size(), told);
+    return ExitCode::done;
+}
+
 ExitCode run(const Session& session, const Task& task) {
+    if (task.what == "numbers") return deal_numbers_of(session, task.tiles);
     parallel::on_root(session, [&] {
         if (task.what == "fail-on-root") throw Failure(ExitCode::bad_job, "the job is bad");
     });

@@ -48,6 +48,32 @@ TEST(OutputStatistics, CountsRegimesReasonsCyclesAndClasses) {
     EXPECT_EQ(statistics.periodic_cells, (std::map<ImpactClass, std::int64_t>{{{1, 1}, 1}, {{2, 2}, 2}}));
 }
 
+TEST(OutputStatistics, CountsOfTwoPartsAddUp) {
+    quantities::StoredCell filled = cell_of(Regime::periodic, 1, 1, 1);
+    filled.computed = false;
+    Counts sum = statistics_of({cell_of(Regime::periodic, 1, 1, 1), filled}).counts;
+    sum.add(statistics_of({cell_of(Regime::chaotic, 1)}).counts);
+    EXPECT_EQ(sum.cells, 3);
+    EXPECT_EQ(sum.filled, 1);
+    EXPECT_EQ(sum.cycles, 30);
+    EXPECT_EQ(sum.by_regime[static_cast<std::size_t>(Regime::periodic)], 2);
+    EXPECT_EQ(sum.by_regime[static_cast<std::size_t>(Regime::chaotic)], 1);
+}
+
+TEST(OutputStatistics, ChaosIsObservedWhereItWasComputed) {
+    const auto followed = [](Regime regime, std::int32_t cycles, bool computed) {
+        quantities::StoredCell cell = cell_of(regime, 1);
+        cell.observed_cycles = cycles;
+        cell.computed = computed;
+        return cell;
+    };
+    const Statistics statistics =
+        statistics_of({followed(Regime::chaotic, 300, true), followed(Regime::chaotic, 500, true),
+                       followed(Regime::unresolved, 20, true), followed(Regime::chaotic, 9000, false)});
+    EXPECT_EQ(statistics.chaos.fewest, 300);
+    EXPECT_EQ(statistics.chaos.most, 500);
+}
+
 TEST(OutputStatistics, LivesOfImpactsThatEnd) {
     const auto ends_after = [](std::int32_t cycles) {
         quantities::StoredCell cell = cell_of(Regime::no_impact, 0, 0, 1);

@@ -61,6 +61,20 @@ TEST(SweepAttractors, OneWithTheLabelOfABranchIsAnother) {
     EXPECT_TRUE(found.unvisited.front().beside_its_like);
 }
 
+// Two orbits of one label at a point are one point of that label.
+TEST(SweepAttractors, APointCountsOnceForALabel) {
+    const std::vector<StoredCell> cells{on_slot(0, 3), on_slot(0, 3)};
+    std::vector<StoredAttractor> attractors;
+    for (const double share : {0.6, 0.3, 0.1}) {
+        for (int column = 0; column < 2; ++column)
+            attractors.push_back(share == 0.6 ? swinging : loop(1, 1, share));
+    }
+    const GapAttractors found = find_beside_branches(cells, attractors, 2);
+    ASSERT_EQ(found.unvisited.size(), 1U);
+    EXPECT_EQ(found.unvisited.front().points, 2);
+    EXPECT_EQ(found.unvisited.front().largest_share, 0.3);
+}
+
 // Nothing is claimed about these; empty slots hold no attractor.
 TEST(SweepAttractors, WithoutAProofCountNowhere) {
     const std::vector<StoredCell> cells{on_slot(0, 2)};

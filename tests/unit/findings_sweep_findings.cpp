@@ -129,6 +129,23 @@ TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
     EXPECT_EQ(text.find("impact resonance"), std::string::npos) << text;
 }
 
+// Only a largest force at an end of the branch may go on growing beyond it.
+TEST(SweepSummary, ALargestForceAtAnEndMayBeLargerBeyond) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1.0, .to = 2.0, .points = 6};
+    job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::up};
+    for (std::size_t place = 0; place < 6; ++place) {
+        std::vector<StoredCell> cells(6, orbit(1, 2, 20));
+        cells[place] = chaos(70);
+        const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, cells)};
+        const std::string text = sweep_text(scene::Scene(job), branches);
+        EXPECT_NE(text.find("70 weights"), std::string::npos) << text;
+        EXPECT_EQ(text.find("it may be larger beyond") != std::string::npos, place == 0 || place == 5)
+            << place << text;
+    }
+}
+
 TEST(SweepSummary, IsInHertzMillimetresAndNewtonsWhereTheJobIs) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;

@@ -242,6 +242,19 @@ TEST(Axes, NoCellStartsBeyondARigidStop) {
                                   axis_table("frequency_ratio", 1, 2) + "[operating_point]\ngap_ratio = 1\n",
                               rigid),
                      "start.displacement_ratio = 2.0 lies beyond a rigid stop at the lowest gap_ratio = 1.0");
+    EXPECT_COMPLAINT(map_text(axis_table("frequency_ratio", 1, 2) + axis_table("gap_m", 0.001, 0.002) +
+                                  "[start]\ndisplacement_m = 0.005\n",
+                              rigid),
+                     "start.displacement_m = 0.005 lies beyond a rigid stop at the lowest axes.gap_m = 0.001");
+}
+
+TEST(Axes, ASpreadWithOneEndIsRefused) {
+    for (const std::string end : {"from = 5e6", "to = 6e6"}) {
+        EXPECT_COMPLAINT(
+            map_text(axis_table("frequency_ratio", 1, 2) + axis_table("gap_ratio", 0, 1) +
+                     "[uncertainty]\nrigs = 4\n[uncertainty.contact]\nstiffness_n_per_m = { " + end + " }\n"),
+            "uncertainty.contact.stiffness_n_per_m");
+    }
 }
 
 }  // namespace

@@ -34,6 +34,29 @@ TEST(StartsSummary, GivesSharesOfTheCells) {
     EXPECT_EQ(text.find("mean life"), std::string::npos) << text;
 }
 
+// Of two starts, each ends elsewhere with probability 1 - s: both do in half of the cells where s = 29.3 %.
+TEST(StartsSummary, TellsWhatSoManyStartsMiss) {
+    job::Job job = map_file::examples::small_map(3, 5);
+    job.starts.count = 2;
+    findings::StartCounts counts;
+    counts.cells = 15;
+    const std::string text = starts_summary(scene::Scene(job), {counts, {}});
+    EXPECT_NE(text.find("takes 29 % of the rectangle in every second cell"), std::string::npos) << text;
+    EXPECT_NE(text.find("90 % in one cell of a hundred"), std::string::npos) << text;
+}
+
+TEST(StartsSummary, SaysWhereMoreAreFoundThanKept) {
+    findings::StartCounts counts;
+    counts.cells = 200;
+    EXPECT_EQ(text_of(counts).find("none of those"), std::string::npos) << text_of(counts);
+    EXPECT_EQ(text_of(counts).find("have more attractors"), std::string::npos) << text_of(counts);
+    counts.not_kept = 1;
+    counts.left_over = 3;
+    EXPECT_NE(text_of(counts).find("and on none of those that are kept in 0.5 %\n"), std::string::npos)
+        << text_of(counts);
+    EXPECT_NE(text_of(counts).find("3 cells have more attractors than"), std::string::npos) << text_of(counts);
+}
+
 // The first column's frequency is half of 4.5 Hz: 4 s are 9 cycles.
 TEST(StartsSummary, TellsTheShortestMeanLifeOfChaos) {
     findings::StartCounts counts;

@@ -296,6 +296,42 @@ TEST(Summary, AnAuditIsReportedWithItsErrorsAndItsTime) {
     EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "Audit"));
 }
 
+TEST(Summary, ASingleForceIsEnoughToTellItsError) {
+    const auto text = [](std::int64_t compared) {
+        return summary(statistics_of_a_hundred_cells(), job::Kind::map, {},
+                       map_file::AuditReport{.cells = 1,
+                                             .agreeing = 1,
+                                             .compared = compared,
+                                             .median_force_error = 2e-5,
+                                             .force_error_99_percent = 2e-5,
+                                             .largest_force_error = 2e-5});
+    };
+    EXPECT_TRUE(contains(text(1), "2.0e-05 (largest) in 1 cell")) << text(1);
+    EXPECT_FALSE(contains(text(0), "(largest)")) << text(0);
+}
+
+TEST(Summary, ProofsAreCountedByWhatTheyProve) {
+    job::Job job = job_of(job::Kind::map);
+    job.certificate.cells = 10;
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    const auto set = [&](cell::Certified what, std::int64_t cells) {
+        statistics.counts.by_certificate.at(
+            static_cast<std::size_t>(static_cast<int>(what) - cell::first_certified)) = cells;
+    };
+    set(cell::Certified::not_tried, 90);
+    set(cell::Certified::orbit, 5);
+    set(cell::Certified::near_grazing, 2);
+    const auto text = [&] {
+        return summary_text({scene::Scene(job), {statistics, {}, {}}, "maps/a.h5", {3, 12.5}});
+    };
+    EXPECT_TRUE(contains(line_with(text(), "proved   "), "5 (")) << text();
+    EXPECT_FALSE(contains(text(), "that the start leads there")) << text();
+    set(cell::Certified::start, 3);
+    EXPECT_TRUE(contains(text(), "of 10 cells\n")) << text();
+    EXPECT_TRUE(contains(line_with(text(), "proved   "), "8 (80.0 %), in 3 that the start leads there, too"))
+        << text();
+}
+
 TEST(Summary, AnAuditSaysWhereRoundingDecides) {
     const auto text = [](std::int64_t agreeing, std::int64_t decided_by_rounding) {
         return summary(statistics_of_a_hundred_cells(), job::Kind::map, {},

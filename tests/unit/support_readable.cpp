@@ -20,6 +20,7 @@ TEST(Readable, CountsHaveSeparators) {
 TEST(Readable, DurationsChangeUnitAtTheRightPlace) {
     EXPECT_EQ(readable_duration(12.34e-6), "12.3 us");
     EXPECT_EQ(readable_duration(0.0123), "12.3 ms");
+    EXPECT_EQ(readable_duration(1), "1.0 s");
     EXPECT_EQ(readable_duration(1.25), "1.2 s");
     EXPECT_EQ(readable_duration(59.96), "1 min 0 s");  // never "60.0 s"
     EXPECT_EQ(readable_duration(3725), "1 h 2 min");
@@ -30,6 +31,7 @@ TEST(Readable, ADurationThatIsNoneIsUnknown) {
     EXPECT_EQ(readable_duration(-1), "unknown");
     EXPECT_EQ(readable_duration(std::numeric_limits<double>::quiet_NaN()), "unknown");
     EXPECT_EQ(readable_duration(std::numeric_limits<double>::infinity()), "unknown");
+    EXPECT_EQ(readable_duration(1.1e15), "ages");
     EXPECT_EQ(readable_duration(1e300), "ages");
 }
 

@@ -38,5 +38,16 @@ TEST(ReusedMemory, BlocksKeepWhatIsWrittenIntoThem) {
     for (const Block& block : blocks) ReusedMemory::give_back(block.bytes, block.size);
 }
 
+// A block is handed on only to who wants no more than it has.
+TEST(ReusedMemory, ALargerBlockIsAnother) {
+    for (const std::size_t size : {64, 128, 640}) {
+        void* small = ReusedMemory::take(size);
+        ReusedMemory::give_back(small, size);
+        void* large = ReusedMemory::take(size + 1);
+        EXPECT_NE(large, small) << size;
+        ReusedMemory::give_back(large, size + 1);
+    }
+}
+
 }  // namespace
 }  // namespace peterka

@@ -1,0 +1,86 @@
+// What the attractors of a map's cells say together, counted cell by cell, tile by tile.
+#include "findings/start_findings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace peterka::findings {
+namespace {
+
+using quantities::StoredAttractor;
+using quantities::StoredCell;
+using regime::Regime;
+
+const StoredAttractor striking{.regime = Regime::periodic, .impacts = 1, .period = 1, .share = 0.25};
+const StoredAttractor swinging_free{.regime = Regime::no_impact, .impacts = 0, .period = 1, .share = 0.75};
+const StoredAttractor known_swing{.regime = Regime::no_impact, .impacts = 0, .period = 1, .share = 0};
+
+// A row of cells, of which each has its attractors.
+struct Row {
+    std::vector<StoredCell> cells;
+    std::vector<std::vector<StoredAttractor>> attractors;
+
+    void add(std::int32_t start_on, const std::vector<StoredAttractor>& here, std::int32_t all = -1) {
+        StoredCell& cell = cells.emplace_back();
+        cell.attractors = all < 0 ? static_cast<std::int32_t>(here.size()) : all;
+        cell.start_attractor = start_on;
+        attractors.push_back(here);
+    }
+    void add_to(StartFindings& findings, std::size_t slots = 3) const {
+        std::vector<StoredAttractor> by_slot;
+        for (std::size_t slot = 0; slot < slots; ++slot) {
+            for (const auto& here : attractors)
+                by_slot.push_back(slot < here.size() ? here[slot] : StoredAttractor{});
+        }
+        add_attractors(findings, {0, 0, 0, {1, std::ssize(cells)}}, cells, by_slot);
+    }
+};
+
+TEST(StartFindings, EachCellCountsOnceForWhatIsTrueOfIt) {
+    Row row;
+    row.add(0, {swinging_free, striking});     // both kinds
+    row.add(1, {swinging_free, striking});     // [start] is on the smaller share
+    row.add(-1, {swinging_free, striking});    // and on none that is kept
+    row.add(0, {swinging_free});               // never hits
+    row.add(0, {striking, known_swing}, 1);    // a swinging_free that no start reached
+    row.add(0, {swinging_free, striking}, 5);  // more than are kept
+    StartFindings findings;
+    row.add_to(findings);
+    const StartCounts& counts = findings.counts;
+    EXPECT_EQ(counts.cells, 6);
+    EXPECT_EQ(counts.mixed, 5);
+    EXPECT_EQ(counts.never_hit, 1);
+    EXPECT_EQ(counts.minority, 1);
+    EXPECT_EQ(counts.not_kept, 1);
+    EXPECT_EQ(counts.known_free, 1);
+    EXPECT_EQ(counts.known_hit, 0);
+    EXPECT_EQ(counts.left_over, 1);
+    EXPECT_EQ(counts.by_number[1], 2);
+    EXPECT_EQ(counts.by_number[2], 3);
+    EXPECT_EQ(counts.by_number[5], 1);
+    const AttractorLabel of_orbit{Regime::periodic, 1, 1};
+    const AttractorLabel of_swing{Regime::no_impact, 1, 0};
+    const AttractorPair pair{std::min(of_orbit, of_swing), std::max(of_orbit, of_swing)};
+    EXPECT_EQ(findings.pairs, (std::map<AttractorPair, std::int64_t>{{pair, 4}}));
+}
+
+TEST(StartFindings, AreSumsOverTheTiles) {
+    Row row;
+    row.add(-1, {swinging_free, striking}, 5);
+    row.add(1, {striking, known_swing, striking}, 3);
+    StartFindings once;
+    row.add_to(once);
+    StartFindings twice = once;
+    twice.counts.add(once.counts);
+    EXPECT_EQ(twice.counts.cells, 4);
+    EXPECT_EQ(twice.counts.mixed, 2 * once.counts.mixed);
+    EXPECT_EQ(twice.counts.minority, 2);
+    EXPECT_EQ(twice.counts.not_kept, 2);
+    EXPECT_EQ(twice.counts.left_over, 2 * once.counts.left_over);
+    EXPECT_EQ(twice.counts.by_number[5], 2);
+    EXPECT_EQ(twice.counts.by_number[3], 2);
+}
+
+}  // namespace
+}  // namespace peterka::findings
