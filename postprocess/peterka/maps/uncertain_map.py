@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from ..arrays import Integers, Mask, Reals, ma
+from ..files.opened import OpenedFile
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, SUSTAINED_CONTACT, UNRESOLVED
 from ..plotting import axes, style, units
 from ..plotting.classes import CLASSES, INDEX, Class, classify
@@ -109,6 +110,14 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     axes.name_areas(ax, _beside_lines(reduced, likely, levels), {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
                                   if counts[n] and (entry.orbit or n == INDEX["no impact"])})
     return ax
+
+
+def refuse_without_draws(file: OpenedFile) -> None:
+    """Refuses to tell the probability of a motion where no rigs were drawn for the cells of a map."""
+    if not isinstance(file, PeterkaFile) or file.kind != "map":
+        raise file.refusal(f"is of kind {file.kind}; the probability of a motion is told of a map with [uncertainty]")
+    if file.outcome_slots == 0:
+        raise file.refusal("was computed for one rig alone, so that no motion has a probability; a job with [uncertainty] draws rigs for each cell")
 
 
 def has(file: PeterkaFile, name: str) -> bool:
