@@ -76,3 +76,10 @@ def test_each_has_a_picture_where_the_file_has_it(tmp_path, name):
         assert name in pictures_of(file)
     with PeterkaFile(write_map(tmp_path / "b.h5", CELLS)) as file:
         assert name not in pictures_of(file)
+
+
+@pytest.mark.parametrize("name, is_marked", [("orbit_displacement", False), ("orbit_velocity", False), ("lyapunov", True), ("multiplier", True)])
+def test_a_coordinate_has_no_largest_value_marked(tmp_path, name, is_marked):
+    """Its values have either sign, and the largest one means nothing; the largest exponent does."""
+    drawn, _ = drawn_of(tmp_path, name, [[0.3, 0.8], [0.5, 0.4], [np.nan, 0.1]])
+    assert any("max" in text.get_text() for text in drawn.map_axes.texts) == is_marked

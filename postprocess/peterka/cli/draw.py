@@ -15,11 +15,12 @@ last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_afte
 --after, would see. A map with [starts] gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most
 starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
 where kicks are stored, STEM_kick.
-A map with force_elasticity or speed_elasticity gives STEM_elasticity_... for each number by which it has one, and
-STEM_depends_most: the number that matters most, with [uncertainty] as far as it is uncertain.
+A map with force_elasticity or speed_elasticity gives STEM_elasticity_... (% per %) for each number by which it has one, where it tells
+the rig STEM_force_per_... or STEM_speed_per_... (N per Hz, N per mm, N per kN/m, ...), and STEM_depends_most: the number that matters
+most, with [uncertainty] as far as it is uncertain.
 A map with [uncertainty] gives STEM_outcome (where most of the drawn rigs end, and how likely that is), STEM_force_q05 (the
 force that all but 5 % of them reach), and STEM_probability_... of each of the commonest motions and of the one that
---probability names, with lines at those of 0.5, 0.9 and 0.95 that the number of draws can tell (5, 29 and 59 draws).
+--probability names (refused where no rigs were drawn), with lines at those of 0.5, 0.9 and 0.95 that the number of draws can tell (5, 29 and 59 draws).
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
 curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them; with [uncertainty] STEM_response_of_rigs,

@@ -20,7 +20,9 @@ from ..arrays import Integers, Mask, Reals, ma
 from ..files.regimes import CHAOTIC, PERIODIC
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, Class, classify
+from ..plotting.figures import width_of
 from ..plotting.fills import Fill, fill, grey
+from ..plotting.frames import text_width
 from ..plotting.limits import requested
 from ..plotting.notes import write_beside
 from ..plotting.seen import SEEN
@@ -37,6 +39,8 @@ LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of stro
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
 # Where this percentile lies below this share of that end, few cells would have the scale for themselves: it ends there then.
 BULK_SHARE, FLAT = 90, 0.25
+NEW_LINE = "\n"
+BAR_LETTERS, MARGIN = 8, 0.3  # pt, and in at its sides together
 TOLD_BEYOND = 0.01  # share of the cells beyond an end of the scale, from which on the scale tells it
 GREY_SCALE = (88, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
@@ -100,7 +104,7 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
         shown = ma.masked_equal(shown, 0)
     mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
-    _draw_bar(figure, bar_ax, mesh, replace(scale, label=scale.label + _beyond(shown.compressed(), norm)),
+    _draw_bar(figure, bar_ax, mesh, replace(scale, label=_with_more(scale.label, _beyond(shown.compressed(), norm))),
               (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), field.told])), ax)
@@ -191,7 +195,13 @@ def _beyond(values: Reals, norm: Normalize) -> str:
     """What the scale says of cells beyond its ends, where these are many."""
     shares = {"below": np.mean(values < norm.vmin), "above": np.mean(values > norm.vmax)}
     told = [f"{axes.percent(float(share))} {side}" for side, share in shares.items() if share >= TOLD_BEYOND]
-    return f"; {', '.join(told)}" if told else ""
+    return ", ".join(told)
+
+
+def _with_more(label: str, more: str) -> str:
+    """A label of the colour bar with more words, in a second line where one has no room for them."""
+    fits = text_width(f"{label}; {more}", BAR_LETTERS, has_mathematics=True) < width_of(WIDTH) - MARGIN
+    return f"{label}{'; ' if fits else NEW_LINE}{more}" if more else label
 
 
 def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond: tuple[bool, bool]) -> None:
@@ -200,7 +210,7 @@ def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond
     if isinstance(mesh.norm, LogNorm):
         axes.number_log_scale(bar_ax.xaxis)
     bar.outline.set_linewidth(0.6)
-    bar.set_label(scale.label, fontsize=8)
+    bar.set_label(scale.label, fontsize=BAR_LETTERS)
     if scale.second:
         label, factor = scale.second
         ratio = factor / scale.factor

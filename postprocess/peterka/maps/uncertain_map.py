@@ -39,6 +39,7 @@ from .reduce import Reduced, orbit_picture
 WIDTH = 3.7  # in
 LINES = {0.5: (0, (1, 1.4)), 0.9: (0, (4, 1.6)), 0.95: "-"}  # probability: line style
 LEVELS = ((0.95, 0.0), (0.75, 0.3), (0.5, 0.55), (0.0, 0.75))  # probability from which on, and share of white in the colour
+HATCHES = {"chaotic": "..", "unresolved": "//"}
 LABELS = ["outcome_regime", "outcome_impacts", "outcome_period", "outcome_probability"]
 IMPACTS = "impacts"
 WITHOUT_IMPACTS = (NO_IMPACT, SUSTAINED_CONTACT, UNRESOLVED, FAILED)  # kinds of outcomes
@@ -215,8 +216,9 @@ def _scale(file: PeterkaFile, name: str, largest: float) -> Scale:
 
 
 def _look_of(entry: Class) -> str | Fill:
-    """The look of a class: unresolved cells are hatched, for their grey is that of chaos where this is less likely."""
-    return Fill(entry.colour, "//") if entry.label == "unresolved" and not style.is_grey() else entry.colour
+    """The look of a class: those without a hue are hatched, for where they are less likely their greys are nearly alike, and no impact's."""
+    hatch = "" if style.is_grey() else HATCHES.get(entry.label, "")
+    return Fill(entry.colour, hatch) if hatch else entry.colour
 
 
 def _with_levels(reduced: Reduced, likely: Reduced) -> tuple[Reduced, list[str | Fill]]:

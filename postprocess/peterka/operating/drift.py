@@ -57,7 +57,7 @@ def unit_of(file: OpenedFile, name: str) -> Measured | None:
 def read_drift(file: PeterkaFile, asked: Mapping[str, float | None]) -> tuple[float, float]:
     """The half-widths (Hz, mm) of the drift that is asked for, {"Hz", "mm": half-width}, or the usual ones for None. Refuses one along what
     the map doesn't vary, and one so wide that each of its boxes leaves the map."""
-    units = {unit.unit: (axis, unit) for axis in (file.columns, file.rows) if (unit := unit_of(file, axis.name))}
+    units = {measure.unit: (axis, measure) for axis in (file.columns, file.rows) if (measure := unit_of(file, axis.name))}
     widths = {unit: USUAL[unit] if width is None else width for unit, width in asked.items()}
     for unit, width in widths.items():
         what = OF_UNITS[unit]
@@ -66,8 +66,8 @@ def read_drift(file: PeterkaFile, asked: Mapping[str, float | None]) -> tuple[fl
                 raise file.refusal(f"has one and the same {what} in all cells, so that it doesn't tell what a drift of ±{width:g} {unit} does: "
                                    f"compute a map over the {what}, or leave this drift out")
             continue
-        axis, measure = units[unit]
-        low, high = axis.values[[0, -1]] * measure.factor
+        axis, own = units[unit]
+        low, high = axis.values[[0, -1]] * own.factor
         if not reach(file, axis, widths["Hz"], widths["mm"]).inside.any():
             raise file.refusal(f"has its {what} from {low:.4g} to {high:.4g} {unit}: a drift of ±{width:g} {unit} leaves that from each of its "
                                f"cells; allow at most ±{(high - low) / 2:.3g} {unit}, or compute a wider map")

@@ -26,6 +26,8 @@ GREYS = {
     "other p/q": (97, "\\\\"), "chaotic": (8, ""), "sustained contact": (82, ".."), "unresolved": (24, "++"),
     "failed": (97, "xx"), "not computed yet": (100, ""),
 }
+# In the other palette, of colours that are so dark that one can't tell them from chaos or from one another in small areas.
+DARK = {"#22012A": "//", "#391301": "xx", "#0E046E": "\\\\"}
 SECOND = ((24, ""), (97, "//"), (62, "++"), (82, "++"), (24, ".."), (62, "\\\\"), (24, "xx"), (42, "++"))  # of other p/q
 PERIOD, STROKE = 8, 2  # of a hatching, in raster cells: in areas thinner than that it looks like a darker grey
 RASTER = 700  # cells of the raster along a side
@@ -74,7 +76,7 @@ def fill(colour: str | Fill) -> Fill:
     if isinstance(colour, Fill):
         return colour
     if not style.is_grey():
-        return Fill(colour)
+        return Fill(colour, DARK.get(colour, ""))
     return _OF_CLASS.get(colour) or Fill(grey(lightness(colour)))
 
 
