@@ -41,7 +41,6 @@ TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isola
 BULK_SHARE, FLAT = 90, 0.25
 NEW_LINE = "\n"
 BAR_LETTERS, MARGIN = 8, 0.3  # pt, and in at its sides together
-TOLD_BEYOND = 0.01  # share of the cells beyond an end of the scale, from which on the scale tells it
 GREY_SCALE = (88, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
 GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
@@ -192,10 +191,8 @@ def _top_of_scale(values: Reals, peak: float) -> float:
 
 
 def _beyond(values: Reals, norm: Normalize) -> str:
-    """What the scale says of cells beyond its ends, where these are many."""
-    shares = {"below": np.mean(values < norm.vmin), "above": np.mean(values > norm.vmax)}
-    told = [f"{axes.percent(float(share))} {side}" for side, share in shares.items() if share >= TOLD_BEYOND]
-    return ", ".join(told)
+    """What the scale says of the cells above its end, where that leaves out more than isolated ones."""
+    return f"{axes.percent(float(np.mean(values > norm.vmax)))} above" if norm.vmax < np.percentile(values, TOP_SHARE) else ""
 
 
 def _with_more(label: str, more: str) -> str:

@@ -57,8 +57,9 @@ def draw_over_map(ax: Axes, file: Plane, points: Sequence[Point], colour_of: Cal
     quantities = _quantities(file)
     limits = ax.get_xlim(), ax.get_ylim()
     shapes, moved = looks(points), _side_by_side(ax, points, quantities)
+    for aside in sorted(set(moved)):
+        draw(ax, [point for point, own in zip(points, moved) if own == aside], quantities, points, aside=aside)
     for point, aside in zip(points, moved):
-        draw(ax, [point], quantities, points, aside=aside)
         place = [getattr(point, quantity) for quantity in quantities]
         if colour_of is not None and point.force is not None:
             ax.plot(*place, zorder=6.2, clip_on=False, transform=_moved(ax, aside),

@@ -164,7 +164,7 @@ def _check_axes(file: OpenedFile) -> None:
 
 def _check_names(table: CsvTable) -> None:
     for pair in (*PAIRS.values(), *ERRORS.values()):
-        given = [name for name in table.names if THOUSANDS.get(name, name) in pair]
+        given = [name for name in COLUMNS if name in table.names and THOUSANDS.get(name, name) in pair]
         if len(given) > 1:
             raise table.refusal(f"has {' and '.join(given)}; each quantity has one column")
     if not set(PAIRS["frequency"]) & set(table.names):
