@@ -6,10 +6,13 @@ import csv
 import h5py
 import numpy as np
 import pytest
-from peterka.maps.map_file import PeterkaFile
-from peterka.maps.rates import NAMES, UNITS
+from peterka.maps import signed_map
 from peterka.maps.elasticity_map import NUMBERS
+from peterka.maps.map_file import PeterkaFile
+from peterka.maps.rates import NAMES, RESULTS, UNITS
 from peterka.pictures import pictures_of
+from peterka.plotting import style
+from peterka.plotting.frames import label_of_bar, text_width
 from picture_samples import orbit, write_map
 from sealing import seal_file
 from sweep_samples import write_sweep
@@ -113,3 +116,11 @@ def test_the_points_of_a_sweep_have_them(tmp_path, run_program):
 
 def test_each_number_that_has_elasticities_has_rates():
     assert list(UNITS) == list(NUMBERS) and len(set(NAMES)) == len(NAMES) == 2 * len(NUMBERS)
+
+
+def test_the_label_of_each_rate_fits_a_journal_s_column():
+    with style.using(width=84):
+        for result, unit, words in ((name, unit, words) for name, (_, unit, _, words) in RESULTS.items()):
+            for short, _, per, _ in UNITS.values():
+                told = label_of_bar(f"change of {words} by {short.replace('_', ' ')}", f"(m{unit} per {per})", " ", signed_map.WIDTH)
+                assert text_width(told, 8) < 84 / 25.4, told

@@ -59,7 +59,7 @@ def datasets(file: PeterkaFile) -> dict[str, str]:
 def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | None:
     """The picture of the elasticity by one of NUMBERS, as Axes; None if no cell has one."""
     name = datasets(file)[number]
-    field = SignedField([name], lambda band, _: band[name], f"{words(name)} (% per %)", OTHERS[0][:2])
+    field = SignedField([name], lambda band, _: band[name], words(name), "% per %", OTHERS[0][:2])
     return signed_map.draw(file, field, ax)
 
 

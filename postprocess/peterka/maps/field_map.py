@@ -20,9 +20,8 @@ from ..arrays import Integers, Mask, Reals, ma
 from ..files.regimes import CHAOTIC, PERIODIC
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, Class, classify
-from ..plotting.figures import width_of
 from ..plotting.fills import Fill, fill, grey
-from ..plotting.frames import text_width
+from ..plotting.frames import label_of_bar
 from ..plotting.limits import requested
 from ..plotting.notes import write_beside
 from ..plotting.seen import SEEN
@@ -39,8 +38,6 @@ LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of stro
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
 # Where this percentile lies below this share of that end, few cells would have the scale for themselves: it ends there then.
 BULK_SHARE, FLAT = 90, 0.25
-NEW_LINE = "\n"
-BAR_LETTERS, MARGIN = 8, 0.3  # pt, and in at its sides together
 GREY_SCALE = (88, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
 GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
@@ -103,7 +100,7 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
         shown = ma.masked_equal(shown, 0)
     mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
-    _draw_bar(figure, bar_ax, mesh, replace(scale, label=_with_more(scale.label, _beyond(shown.compressed(), norm))),
+    _draw_bar(figure, bar_ax, mesh, replace(scale, label=_told(scale.label, _beyond(shown.compressed(), norm))),
               (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), field.told])), ax)
@@ -195,10 +192,8 @@ def _beyond(values: Reals, norm: Normalize) -> str:
     return f"{axes.percent(float(np.mean(values > norm.vmax)))} above" if norm.vmax < np.percentile(values, TOP_SHARE) else ""
 
 
-def _with_more(label: str, more: str) -> str:
-    """A label of the colour bar with more words, in a second line where one has no room for them."""
-    fits = text_width(f"{label}; {more}", BAR_LETTERS, has_mathematics=True) < width_of(WIDTH) - MARGIN
-    return f"{label}{'; ' if fits else NEW_LINE}{more}" if more else label
+def _told(label: str, beyond: str) -> str:
+    return label_of_bar(label, beyond, "; ", WIDTH) if beyond else label
 
 
 def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond: tuple[bool, bool]) -> None:
@@ -207,7 +202,7 @@ def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond
     if isinstance(mesh.norm, LogNorm):
         axes.number_log_scale(bar_ax.xaxis)
     bar.outline.set_linewidth(0.6)
-    bar.set_label(scale.label, fontsize=BAR_LETTERS)
+    bar.set_label(scale.label, fontsize=8)
     if scale.second:
         label, factor = scale.second
         ratio = factor / scale.factor

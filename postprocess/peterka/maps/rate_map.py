@@ -20,8 +20,8 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
     assert rate is not None
     _, unit, _, words = RESULTS[rate.result]
     short, _, per, _ = UNITS[rate.number]
-    label = f"change of {words} by {short.replace('_', ' ')} ({{unit}} per {per})"
-    return signed_map.draw(file, SignedField(rate.datasets, rate.of, label, LACKING, unit), ax)
+    label = f"change of {words} by {short.replace('_', ' ')}"
+    return signed_map.draw(file, SignedField(rate.datasets, rate.of, label, f"{{unit}} per {per}", LACKING, unit), ax)
 
 
 def has(file: PeterkaFile, name: str) -> bool:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..arrays import Integers, Reals
 from ..files.regimes import NOT_COMPUTED, PERIODIC
 from ..plotting import axes, signed, style, units
+from ..plotting.frames import label_of_bar
 from .field_map import without_value
 from .map_file import PeterkaFile
 from .reduce import LIMIT, Reduced, block_size, class_picture, largest, with_edges
@@ -28,12 +29,13 @@ WAITING = "not computed yet"
 @dataclass(frozen=True)
 class SignedField:
     """What to draw: the datasets that it needs; its `values`, (rows, columns), from {dataset: array} of a band and the slice of its rows; a
-    `label`, which tells {unit}; the `unit`, with a prefix where the numbers ask for one, or, where empty, none; and what cells
-    without a value are called, and their colour."""
+    `label`; `per`, what they are in, which may name the {unit}; what cells without a value are called, and their colour; and the `unit`,
+    told with a prefix where the numbers ask for one, or, where empty, none."""
 
     datasets: Sequence[str]
     values: Callable[[Mapping[str, NDArray[Any]], slice], Reals]
     label: str
+    per: str
     lacking: tuple[str, str]
     unit: str = ""
 
@@ -59,7 +61,7 @@ def draw(file: PeterkaFile, field: SignedField, ax: Axes | None = None) -> Axes 
     axes.label_axes(ax, file)
     bar = signed.draw_bar(figure, bar_ax, mesh, "both" if sizes.max() > farthest else "neither")
     bar.ax.set_xlim(low * factor, high * factor)
-    bar.set_label(field.label.format(unit=unit), fontsize=8)
+    bar.set_label(label_of_bar(field.label, f"({field.per.format(unit=unit)})", " ", WIDTH), fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax)
     return ax

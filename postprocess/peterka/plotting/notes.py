@@ -26,7 +26,7 @@ LINED, LINED_BOX = 9, 4
 CLEAR = 5  # pt: by which the label of a box without a line to it is nearer to that box than to any other
 BESIDE = (3, *NEAR, 28, 38, 50, 65)  # pt: of the label of several marks that share one
 ROUND = [(across, up) for across in (1, -1, 0) for up in (0, 1, -1) if (across, up) != (0, 0)]
-AIR = 2  # pixels
+AIR, ROUNDING = 2, 1e-6  # pixels
 APART, LETTER_APART = 5, 1.2  # pt: at least, between a line's name or the letters of marks and any other text or mark
 FRAME = 0.5  # of the font size
 TURNS = 24  # directions in which a place around a box is sought
@@ -211,7 +211,7 @@ def _fits(box: Bbox, ax: Axes, taken: Reals) -> bool:
 def _is_nearest(box: Bbox, own: Reals, others: Reals) -> bool:
     """Whether a box is nearer to its own point, or to one of them, than to any other."""
     away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (np.atleast_2d(own), others)]
-    return bool(min(away[0]) < min(away[1], default=np.inf))
+    return bool(min(away[0]) < min(away[1], default=np.inf) - ROUNDING)
 
 
 def _draw_line(ax: Axes, own: Reals, box: Bbox) -> None:
