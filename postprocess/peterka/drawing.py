@@ -6,6 +6,7 @@ from typing import Any
 import xarray
 from matplotlib.axes import Axes
 
+from .files.nearest import instead_of
 from .plotting.style import NAMES, using
 from .pictures import open_file, pictures_of
 
@@ -32,5 +33,5 @@ def draw(data: xarray.Dataset, name: str | None = None, ax: Axes | None = None,
         pictures = pictures_of(file, **options)
         name = next(iter(pictures)) if name is None else name
         if name not in pictures:
-            raise ValueError(f"there is no picture {name!r} of this {file.kind}; it has {', '.join(pictures)}")
+            raise ValueError(f"there is no picture of this {file.kind} named {instead_of([name], pictures, 'it has')}")
         return pictures[name](file, ax)

@@ -12,10 +12,11 @@ from typing import Any
 from .files.opened import OpenedFile, Source
 from .maps import (
     attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, elasticity_map, force_map, last_impact, number_map,
-    peterka_map, proved_map, quantity_map, uncertain_map,
+    peterka_map, proved_map, quantity_map, rate_map, uncertain_map,
 )
 from .maps.curves_file import CurvesFile, Lines, UnstableBranch
 from .maps.map_file import PeterkaFile
+from .maps.rates import NAMES as NAMES_OF_RATES
 from .measurements.points import NOTHING_MEASURED, Measurements
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
@@ -65,6 +66,7 @@ PICTURES = [
           _holds("numbers", name)) for name in number_map.NUMBERS),
     *(Row(f"elasticity_{number}", ("map",), partial(elasticity_map.draw, number=number), partial(elasticity_map.has, number=number))
       for number in elasticity_map.NUMBERS),
+    *(Row(name, ("map",), partial(rate_map.draw, name=name), partial(rate_map.has, name=name)) for name in NAMES_OF_RATES),
     Row("depends_most", ("map",), elasticity_map.draw_most, elasticity_map.has_two),
     Row("last_impact", PLANES, last_impact.draw, lambda file: file.has_last_impact),
     Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
@@ -120,11 +122,16 @@ def picture_name(file: OpenedFile, name: str) -> str:
 def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
                 borders: Sequence[Border] = NO_BORDERS,
                 unstable: Sequence[UnstableBranch] = NO_UNSTABLE, curves: Lines | None = None,
-                probability: str = uncertain_map.IMPACTS) -> dict[str, Callable[..., Any]]:
+                probability: str | None = None) -> dict[str, Callable[..., Any]]:
     """{name: draw(file, ax=None)} of all pictures of an open file; each may still find nothing to draw. `cycles`: length of
     the short run whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map; `borders` and
     `unstable` orbits: over those of a sweep; `curves`: over a map, which has one picture more with them;
-    `probability`: of which motion of drawn rigs, as in maps/outcomes.py."""
+    `probability`: of which motion of drawn rigs, as in maps/outcomes.py; of impacts of any kind by default. Raises PeterkaFileError
+    where one is asked of a file without drawn rigs."""
+    if probability is None:
+        probability = uncertain_map.IMPACTS
+    else:
+        uncertain_map.refuse_without_draws(file)
     options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable, CURVES: curves,
                "probability": probability}
     return {row.name.format(**options, asked=re.sub("[/ ]", "_", probability)): partial(row.draw, **{name: options[name] for name in row.takes})

@@ -53,6 +53,15 @@ def test_values_are_those_of_the_file_to_the_last_bit(browser, map_file, map_pag
     assert "no cell in row 48" in browser.ask("(() => { try { peterka.value(48, 0) } catch (e) { return e.message } })()")
 
 
+def test_the_dashed_line_is_in_the_legend_of_each_layer(browser, map_page):
+    browser.open(map_page)
+    for layer in ("z", "peak_force_ratio"):
+        browser.ask(f"(() => {{ const one = document.getElementById('layer'); one.value = '{layer}'; one.dispatchEvent(new Event('change')); }})()")
+        browser.until(lambda: "free swing grazes the stop" in browser.text("legend"), f"the line isn't told beside {layer}")
+    style = "getComputedStyle([...document.querySelectorAll('#legend i.line')].at(-1)).borderTopStyle"
+    assert browser.ask(style) == "dashed"
+
+
 def test_the_canvas_has_the_colours_of_the_pictures(browser, map_file, map_page):
     browser.open(map_page)
     browser.settle()

@@ -112,7 +112,7 @@ def exported(path, folder):
     with h5py.File(path) as file:
         shape = file["regime"].shape
     columns = {name: [line[n] for line in cells] for n, name in enumerate(head.split(","))}
-    return {name: words if name == "regime" else np.array([float(word or "nan") for word in words]).reshape(shape)
+    return {name: words if any(word[:1].isalpha() for word in words) else np.array([float(word or "nan") for word in words]).reshape(shape)
             for name, words in columns.items()}
 
 

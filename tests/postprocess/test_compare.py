@@ -88,15 +88,43 @@ def test_scales_in_hertz_and_millimetres_where_both_rigs_have_them(pair, tmp_pat
     assert [child.get_xlabel() or child.get_ylabel() for child in differs.child_axes] == ["gap (mm)"]
 
 
-@pytest.mark.parametrize("units, place, scales", [
-    ("both", "frequency_ratio 2 (9 Hz), gap_ratio 0 (0 mm)", (True, True)), ("si", "frequency 9 Hz, gap 0 mm", (False, True)),
-    ("ratio", "frequency_ratio 2, gap_ratio 0", (True, False))])
-def test_units_are_those_asked_for(pair, run_compare, monkeypatch, units, place, scales):
+@pytest.mark.parametrize("units, place, forces, scales", [
+    ("both", "frequency_ratio 2 (9 Hz), gap_ratio 0 (0 mm)", "10 weights = 29.22 N in A, 20 weights = 58.45 N in B", (True, True)),
+    ("si", "frequency 9 Hz, gap 0 mm", "29.22 N in A, 58.45 N in B", (False, True)),
+    ("ratio", "frequency_ratio 2, gap_ratio 0", "10 weights in A, 20 weights in B", (True, False))])
+def test_units_are_those_asked_for(pair, run_compare, monkeypatch, units, place, forces, scales):
     drawn = []
     monkeypatch.setattr(compare, "save_all", lambda figure, *_: drawn.append(figure))
     code, told, complaint = run_compare(*pair, "--units", units)
-    assert (code, complaint) == (0, "") and f"2 (+100 %), at {place}\n" in told
+    assert (code, complaint) == (0, "") and f"2 (+100 %), at {place}: {forces}\n" in told
     assert has_scales(drawn[0].axes[0]) == scales
+
+
+@pytest.mark.parametrize("masses, ratio, forces", [
+    ((3.0, 6.0), "2 (50 %)", "10 weights = 294.2 N in A, 10 weights = 588.4 N in B"),
+    (("unknown", 6.0), "1 (50 %)", "10 weights in A, 10 weights in B")])
+def test_forces_in_newtons_are_compared_where_both_files_tell_them(tmp_path, run_compare, monkeypatch, masses, ratio, forces):
+    """Twice the mass at the same F/(m g) strikes twice as hard."""
+    cells, same = [[orbit(1, 1)] * 4] * 4, np.full((4, 4), 10.0)
+    for name, mass in zip(("a.h5", "b.h5"), masses):
+        write_map(tmp_path / name, cells, forces=same, hammer_mass_kg=mass)
+    drawn = []
+    monkeypatch.setattr(compare, "save_all", lambda figure, *_: drawn.append(figure))
+    told = run_compare("a.h5", "b.h5")[1]
+    assert ratio in told and f"median force        {forces}\n" in told
+    assert ("B's hammer weighs 2 times A's: over their weights these ratios are 0.5 times" in told) == (masses[0] == 3.0)
+    assert ("each over its own hammer's weight" in told) == (masses[0] != 3.0)
+    assert f"(median {ratio[0]})" in drawn[0].axes[1].get_xlabel()
+
+
+def test_a_job_in_newtons_and_hertz_has_these_first(pair, tmp_path, run_compare):
+    for name in ("a.h5", "b.h5"):
+        with SealedFile(tmp_path / name, "r+") as file:
+            file.attrs["job"] = "[axes]\nfrequency_hz = { from = 4.5 }\ngap_m = { from = 0 }\n"
+            for own, new, one in (("frequency_ratio", "frequency_hz", 4.5), ("gap_ratio", "gap_m", 0.89e-3)):
+                file[new] = file[own][()] * one
+    told = run_compare("a.h5", "b.h5")[1]
+    assert "at frequency 9 Hz (frequency_ratio 2), gap 0 mm (gap_ratio 0): 29.22 N = 10 weights in A, 58.45 N = 20 weights in B\n" in told
 
 
 def test_keys_that_differ_are_told_and_drawn(pair, tmp_path, run_compare):

@@ -220,3 +220,21 @@ def test_a_sweep_is_a_table_of_its_points(tmp_path, run_program, in_si):
             assert float(line["peak_force_n"]) == pytest.approx(WEIGHT * force)
         else:
             assert float(line["peak_force_ratio"]) == force and not {"frequency_hz", "gap_mm", "peak_force_n"} & set(line)
+
+
+def test_codes_are_words_in_a_table_and_numbers_in_other_formats(tmp_path, run_program):
+    """Those that the file itself explains; counts stay numbers, and no code an empty cell."""
+    path = write_map(tmp_path / "a.h5", ALL_CLASSES)
+    numbers = np.arange(24).reshape(4, 6) % 2
+    with SealedFile(path, "r+") as file:
+        for name, meanings in (("status", "verified rounding"), ("edge_kind_gap_m", "fold grazing"), ("engine", "exact cvode")):
+            file[name] = np.where(np.arange(24).reshape(4, 6) == 23, -128, numbers).astype("i1")
+            file[name].attrs["flag_values"], file[name].attrs["flag_meanings"] = np.array([0, 1], dtype="i1"), meanings
+        file["cycles"] = np.full((4, 6), 75, dtype="i4")
+    assert run_program("export", path, "--as", "csv,vtk")[0] == 0
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text:
+        lines = list(csv.DictReader(text))
+    assert [(line["status"], line["edge_kind_gap_m"], line["engine"]) for line in lines[:2]] == [
+        ("verified", "fold", "exact"), ("rounding", "grazing", "cvode")]
+    assert lines[23]["status"] == "" and {line["cycles"] for line in lines} == {"75"}
+    assert (read_vtk(tmp_path / "a.vtk")["status"].ravel()[:23] == numbers.ravel()[:23]).all()

@@ -170,13 +170,13 @@ def test_a_zoom_says_of_what_its_shares_and_its_border_are(tmp_path, zoom, share
 
 
 @pytest.mark.parametrize("arguments, words", [
-    (["--only", "mop"], "gives no picture mop; it gives map, force_1_1, force_all"),
+    (["--only", "mop"], "gives no picture named 'mop'; it gives map, force_1_1, force_all"),
     (["--zoom", "1,1.1"], "has 1 point of frequency_ratio from 1 to 1.1; --zoom has to leave 2"),
     (["--zoom", "0,3", "--units", "si"], "has 1 point of frequency from 0 to 3 Hz; --zoom has to leave 2"),
     (["--zoom", "0,20,0,0.1", "--units", "si"], "has 1 point of gap from 0 to 0.1 mm; --zoom has to leave 2"),
     (["--zoom", "4,14"], "from 4 to 14; --zoom has to leave 2; it takes Hz with --units si"),
     (["--zoom", "1,4,1,2", "--units", "si"], "from 1 to 4 Hz; --zoom has to leave 2; as ratios these numbers fit: leave --units si out for them"),
-    (["--only", "audit", "--zoom", "1,3"], "gives no picture audit with --zoom; it gives map"),
+    (["--only", "audit", "--zoom", "1,3"], "gives no picture with --zoom named 'audit'; it gives map"),
     (["--zoom", "3,1"], "wants the smaller number first"),
     (["--zoom", "1,2,3"], "is not 2 or 4 numbers"),
     (["--limits", "1"], "is not 2 numbers"),

@@ -193,3 +193,34 @@ def test_the_drift_of_an_uncertain_gap_is_verified_too(tmp_path, operate):
     keys = dict(word.split("=") for word in noted.read_text().splitlines() if "=" in word)
     assert [float(keys[f"axes.gap_ratio.{key}"]) for key in ("from", "to", "points")] == pytest.approx(
         [gap - 0.1 / 0.89, gap + 0.1 / 0.89, 5], rel=1e-4)
+
+
+def with_offset(path, deviation):
+    write_uncertain(path)
+    with SealedFile(path, "r+") as file:
+        file.attrs["job"] = f"{file.attrs['job']}[uncertainty.operating_point.gap_m]\nstandard_deviation = {deviation}\n"
+    return path
+
+
+@pytest.mark.parametrize("deviation, told", [
+    (20e-3, "the offset of the gap in [uncertainty] has a standard deviation of 20 mm, and the largest gap of the map is 2.67 mm"), (20e-6, None)])
+def test_an_offset_larger_than_all_gaps_is_told(tmp_path, operate, deviation, told):
+    code, out, _ = operate(with_offset(tmp_path / "a.h5", deviation), "--risk", "0.95", "--hz", "0", "--mm", "0")
+    assert code == 0 and ((told in out) if told else "the offset of" not in out)
+
+
+def test_a_drift_in_hertz_that_no_box_has_room_for_is_named(tmp_path, operate):
+    code, _, complaint = operate(write_uncertain(tmp_path / "a.h5"), "--risk", "0.95", "--hz", "30", "--mm", "0.05")
+    assert code == 2 and "has its frequency from 4.5 to 18 Hz: a drift of ±30 Hz leaves that from each of its cells" in complaint
+    assert "allow at most ±6.75 Hz" in complaint and complaint.count("\n") == 1
+
+
+def test_a_drift_along_what_the_map_does_not_vary_is_refused(tmp_path, operate):
+    path = write_uncertain(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file.attrs["job"] = file.attrs["job"].replace("gap_ratio = {", "contact.stiffness_n_per_m = {")
+        file["contact_stiffness_n_per_m"] = np.linspace(1e6, 5e6, ROWS)
+    for extra in ([], ["--risk", "0.95"]):
+        code, _, complaint = operate(path, "--mm", "20", "--hz", "0.5", *extra)
+        assert code == 2 and "has one and the same gap in all cells, so that it doesn't tell what a drift of ±20 mm does" in complaint
+    assert "drift of" not in operate(path, "--hz", "0.5", "--risk", "0.95")[2]

@@ -95,6 +95,20 @@ def test_the_last_of_all_classes_is_hatched_like_the_first():
     assert set(np.unique(raster)) == {number, len(CLASSES) + number}
 
 
+def test_what_is_nearly_black_is_hatched_in_colour_too(tmp_path):
+    """In small areas no one tells such colours from chaos, nor from one another; all others are plain."""
+    dark = {colour for colour in SECOND_COLOURS if lightness(colour) < 20}
+    looks = {entry.colour: fills.fill(entry.colour) for entry in CLASSES}
+    assert {colour for colour, look in looks.items() if look.hatch} == dark and len({looks[colour].hatch for colour in dark}) == len(dark) == 3
+    assert all(lightness(looks[colour].stroke.upper()) > lightness(colour) + 30 for colour in dark)
+    write_map(tmp_path / "a.h5", np.full((4, 5, 3), (1, 6, 8)))
+    drawn = Drawn(peterka.draw(peterka.open(tmp_path / "a.h5"), "map"), tmp_path / "a.png")
+    (patch,) = [patch for ax in drawn.figure.axes if ax.get_legend() for patch in ax.get_legend().get_patches()]
+    look = fills.fill(class_of(1, 6, 8).colour)
+    seen = {"#%02X%02X%02X" % tuple(pixel) for pixel in np.unique(drawn.pixels.reshape(-1, 3), axis=0)}
+    assert patch.get_hatch() and {look.colour.upper(), look.stroke.upper()} <= seen
+
+
 @pytest.mark.parametrize("label", [label for label, (_, hatch) in GREYS.items() if hatch])
 def test_a_hatching_reads_as_a_darker_or_lighter_grey_in_a_thin_tongue(label):
     """A tongue one hundredth of the side wide has both colours, and together they are darker than without hatching."""

@@ -273,3 +273,19 @@ def test_curves_of_another_rig_or_plane_lie_over_no_map(tmp_path, run_program, o
     path = write_map(tmp_path / "map.h5", PLAIN, job=job, **OF_RIG)
     code, _, err = run_program("draw", path, "--curves", curves, "--output-dir", tmp_path)
     assert code == 2 and reason.replace("%s", str(path)) in err and err.count("\n") == 1, err
+
+
+def test_no_name_lies_over_another_curve(tmp_path):
+    """Two curves that cross in the middle of the first: its name moves aside; one with another along all of it has none."""
+    lines = [(0, 1, 1, [(1.2, 0.5), (2.5, 1.5), (3.8, 2.5)]), (1, 1, 2, [(1.9, 2.6), (2.5, 1.5), (3.1, 0.4)]),
+             (2, 3, 2, [(1.2, 2.0), (2.0, 2.8)]), (2, 4, 2, [(1.22, 2.0), (2.02, 2.8)])]
+    with CurvesFile(write_curves(tmp_path / "a.h5", lines, [])) as file:
+        for over in (curves_map.draw, curves_map.draw_over_map):
+            ax = over(file)
+            ax.figure.draw_without_rendering()
+            ways = {f"{p}/{q}": curves_map._dense(ax.transData.transform(np.array(points))) for _, p, q, points in lines}
+            boxes = {text.get_text(): text.get_window_extent() for text in ax.texts if text.get_text() in ways}
+            assert {"1/1", "1/2"} <= boxes.keys() and not {"3/2", "4/2"} & boxes.keys()
+            for name, box in boxes.items():
+                assert box.count_contains(ways[name]) > 0
+                assert all(box.count_contains(way) == 0 for other, way in ways.items() if other != name), name

@@ -131,7 +131,7 @@ def test_in_grey_what_matters_most_is_no_void(tmp_path):
 
 
 def test_grey_hatchings_of_all_numbers_are_drawn_and_differ():
-    masks = [fills._strokes(hatch, 240, 240) for _, hatch in NUMBERS.values() if hatch]
+    masks = [fills.strokes(hatch, 240, 240) for _, hatch in NUMBERS.values() if hatch]
     assert all(0.05 < mask.mean() < 0.95 and mask.shape == (240, 240) for mask in masks)
     assert all((one != other).mean() > 0.05 for n, one in enumerate(masks) for other in masks[:n])
 

@@ -16,6 +16,7 @@ from peterka.maps.map_file import PeterkaFile
 from peterka.sweeps.residuals import residuals
 from peterka.sweeps.sweep_file import SweepFile
 from picture_texts import faults_of_layout
+from peterka.plotting.seen import SEEN
 from picture_samples import write_basin, write_map
 from sealing import seal_file
 from starts_samples import add_starts
@@ -38,13 +39,22 @@ def test_units_become_ratios(tmp_path):
 
 
 @pytest.mark.parametrize("name, told", [
-    ("force_nn", "'force_nn' (did you mean force_n?); it may have"), ("Gap_mm", "'Gap_mm' (did you mean gap_mm?)"),
+    ("force_nn", "unknown column 'force_nn' (did you mean force_n?)"), ("Gap_mm", "'Gap_mm' (did you mean gap_mm?)"),
     ("lable", "(did you mean label?)"), ("colour", "'colour'; it may have frequency_ratio"),
     ("force_error_ratio" * 600, "…'; it may have")])
 def test_an_unknown_column_is_told_with_the_nearest_known_one(tmp_path, name, told):
     with pytest.raises(PeterkaFileError) as refusal:
         points(tmp_path, f"frequency_hz,{name}\n9,1\n")
     assert told in str(refusal.value) and "\n" not in str(refusal.value)
+    assert ("did you mean" in told) != ("it may have" in str(refusal.value))  # all of them only where none is near
+
+
+def test_kilonewtons_are_a_thousand_newtons(tmp_path):
+    in_n, in_kn = (points(tmp_path, f"frequency_hz,gap_mm,force_{unit},force_error_{unit}\n9.0,1.335,{force},{error}\n").points
+                   for unit, force, error in (("n", 204, 3), ("kn", 0.204, 0.003)))
+    assert in_kn[0].force == pytest.approx(in_n[0].force, rel=1e-12) and in_kn[0].errors == pytest.approx(in_n[0].errors, rel=1e-12)
+    with pytest.raises(PeterkaFileError, match="has force_n and force_kn; each quantity has one column"):
+        points(tmp_path, "frequency_hz,gap_mm,force_n,force_kn\n9,1.335,200,0.2\n")
 
 
 def test_ratios_stay_and_cells_may_be_empty(tmp_path):
@@ -162,6 +172,22 @@ def test_over_a_map_of_forces_a_mark_has_the_colour_of_its_force(tmp_path):
     mesh = ax.collections[-1] if hasattr(ax.collections[-1], "to_rgba") else ax.collections[0]
     colours = [line.get_markerfacecolor() for line in ax.lines if line.get_marker() == "D" and len(line.get_xdata()) == 1]
     assert [tuple(colour) for colour in colours] == [tuple(mesh.to_rgba(force)) for force in (10, 10.1)]
+
+
+def test_points_of_one_place_stand_side_by_side(tmp_path):
+    """Neither hides the other, each has its label on its own side, and bars stay at the place itself."""
+    found = points_of_map(tmp_path, "frequency_ratio,gap_ratio,force_ratio,frequency_error_ratio,series,label\n"
+                          "2,1,10,0.1,one,left\n2,1,11,0.1,two,right\n3,2,11,0,one,alone\n")
+    ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found)
+    places = [(line.get_marker(), line.get_transform().transform(line.get_xydata())[0] - ax.transData.transform(line.get_xydata())[0])
+              for line in ax.lines if line.get_gid() == SEEN and line.get_marker() in "Do"]
+    point = ax.figure.dpi / 72
+    assert sorted((mark, round(across / point, 6), round(up / point, 6)) for mark, (across, up) in places) == [
+        ("D", -3, 0), ("D", 0, 0), ("o", 3, 0)]
+    x = {text.get_text(): text.get_window_extent().x0 for text in ax.texts}
+    assert x["left"] < ax.transData.transform((2, 1))[0] < x["right"] and "alone" in x
+    bars = [bar.get_segments()[0][:, 0] for bar in ax.collections if isinstance(bar, matplotlib.collections.LineCollection)]
+    assert all(ends.mean() == pytest.approx(2) for ends in bars) and len(bars) == 2
 
 
 def test_no_note_is_written_over_a_mark(tmp_path, monkeypatch):

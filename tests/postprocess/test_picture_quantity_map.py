@@ -177,3 +177,23 @@ def test_chatter_is_dotted_and_in_the_legend(tmp_path, draw):
         assert not any("chatter" in text for text in Drawn(peterka_map.draw(file), tmp_path / "b.png").legend_texts())
     outcome = draw(write_map(tmp_path / "c.h5", PLAIN, fields={"chatter": np.full((4, 4), 2)}))
     assert outcome.code == 2 and "neither 0 nor 1" in outcome.stderr
+
+
+def test_a_few_long_contacts_leave_the_others_their_colours(tmp_path):
+    """Eleven of twelve cells lie between 1.5 and 2 ms, one lasts 30 ms: the scale is that of the others, and says what lies beyond it."""
+    cells, times = [[orbit(1, 1)] * 20] * 20, np.linspace(1.5e-3, 2e-3, 400)
+    times[::12] = 30e-3
+    with PeterkaFile(write_map(tmp_path / "a.h5", cells, fields={"contact_time": times.reshape(20, 20)})) as file:
+        ax = quantity_map.draw(file, name="contact_time")
+    mesh = next(one for one in ax.collections if getattr(one, "norm", None) and one.get_array() is not None and one.norm.vmax < 10)
+    assert 1.4 < mesh.norm.vmin < 1.6 and 1.9 < mesh.norm.vmax < 2.1
+    bar = next(one for one in ax.figure.axes if "longest contact" in one.get_xlabel())
+    assert "10.0 % above" in bar.get_xlabel() and bar._colorbar.extend == "both"
+
+
+def test_an_even_spread_keeps_the_whole_scale(tmp_path):
+    cells, times = [[orbit(1, 1)] * 20] * 20, np.linspace(0.1, 3.0, 400).reshape(20, 20)
+    with PeterkaFile(write_map(tmp_path / "a.h5", cells, fields={"impulse": times})) as file:
+        ax = quantity_map.draw(file, name="impulse")
+    assert [one.get_xlabel() for one in ax.figure.axes if "impulse" in one.get_xlabel()] == ["largest impulse of an impact (N s)"]
+    assert ax.collections[-1].norm.vmax == 3.0

@@ -16,11 +16,11 @@ from peterka.plotting.classes import CLASSES, INDEX
 from peterka.plotting.figures import figure_of
 from peterka.sweeps import uncertain_response
 from peterka.sweeps.sweep_file import SweepFile
-from picture_samples import Drawn, colour_named, write_map
+from picture_samples import CHAOTIC, NO_IMPACT, Drawn, colour_named, write_map
 from picture_texts import faults_of_layout
 from sealing import SealedFile
 from sweep_samples import write_sweep
-from uncertain_samples import forces, probabilities, write_uncertain, write_uncertain_sweep
+from uncertain_samples import AXES, JOB, add_outcomes, forces, probabilities, write_uncertain, write_uncertain_sweep
 
 ROWS, COLUMNS = 24, 32
 SHARES = probabilities(ROWS, COLUMNS)  # of 1/1, no impact, 2/2, chaos
@@ -316,3 +316,33 @@ def test_the_response_says_where_rigs_begin(tmp_path, draw):
     told = "drawn rigs begin from [start], branches with the motion at the point before"
     assert told in outcome.stdout
     assert told in re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", (tmp_path / "out" / "a_response_of_rigs.svg").read_text()))
+
+
+@pytest.mark.parametrize("motion", ["1/1", "impacts"])
+def test_a_probability_is_refused_where_no_rigs_were_drawn(tmp_path, draw, motion):
+    """Also that of the default, where it is asked for; in Python, too."""
+    path = write_map(tmp_path / "one.h5")
+    outcome = draw(path, "--formats", "png", "--probability", motion)
+    assert outcome.code == 2 and outcome.pictures == [] and "was computed for one rig alone, so that no motion has a probability" in outcome.stderr
+    with pytest.raises(peterka.PeterkaFileError, match="one rig alone"):
+        peterka.draw(peterka.open(path), "map", probability=motion)
+    sweep = draw(write_sweep(tmp_path / "s.h5"), "--formats", "png", "--probability", motion)
+    assert sweep.code == 2 and "is of kind sweep; the probability of a motion is told of a map" in sweep.stderr
+    assert draw(path, "--formats", "png", "--only", "map").code == 0
+
+
+def test_chaos_that_is_less_likely_does_not_look_like_no_impact(tmp_path):
+    """Both are pale greys there: chaos has dots, in the legend, too."""
+    cells = np.broadcast_to((2, 0, 0), (6, 8, 3))
+    path = write_map(tmp_path / "a.h5", cells, job=JOB.format(rigs=64, axes=AXES.format(8, 6)))
+    add_outcomes(path, np.broadcast_to(np.array([CHAOTIC, NO_IMPACT])[:, None, None], (2, 6, 8, 3)), 
+                 np.stack([np.full((6, 8), 0.4), np.full((6, 8), 0.3)]), np.zeros((3, 6, 8)))
+    with PeterkaFile(path) as file:
+        drawn = Drawn(uncertain_map.draw_commonest(file), tmp_path / "a.png")
+    height, width = drawn.pixels.shape[:2]
+    (x0, y0), (x1, y1) = (drawn.figure.transFigure.inverted().transform(drawn.map_axes.transAxes.transform(corner)) for corner in ((0.2, 0.2), (0.8, 0.8)))
+    part = drawn.pixels[int((1 - y1) * height):int((1 - y0) * height), int(x0 * width):int(x1 * width)].mean(axis=2)
+    assert np.ptp(part) > 60 and 0.05 < (part < part.max() - 30).mean() < 0.6
+    patches = {text.get_text().partition(" (")[0]: patch.get_hatch() for one in drawn.figure.axes if one.get_legend()
+               for text, patch in zip(one.get_legend().get_texts(), one.get_legend().get_patches())}
+    assert patches["chaotic"]

@@ -15,11 +15,12 @@ last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_afte
 --after, would see. A map with [starts] gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most
 starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
 where kicks are stored, STEM_kick.
-A map with force_elasticity or speed_elasticity gives STEM_elasticity_... for each number by which it has one, and
-STEM_depends_most: the number that matters most, with [uncertainty] as far as it is uncertain.
+A map with force_elasticity or speed_elasticity gives STEM_elasticity_... (% per %) for each number by which it has one, where it tells
+the rig STEM_force_per_... or STEM_speed_per_... (N per Hz, N per mm, N per kN/m, ...), and STEM_depends_most: the number that matters
+most, with [uncertainty] as far as it is uncertain.
 A map with [uncertainty] gives STEM_outcome (where most of the drawn rigs end, and how likely that is), STEM_force_q05 (the
 force that all but 5 % of them reach), and STEM_probability_... of each of the commonest motions and of the one that
---probability names, with lines at those of 0.5, 0.9 and 0.95 that the number of draws can tell (5, 29 and 59 draws).
+--probability names (refused where no rigs were drawn), with lines at those of 0.5, 0.9 and 0.95 that the number of draws can tell (5, 29 and 59 draws).
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
 curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them; with [uncertainty] STEM_response_of_rigs,
@@ -45,7 +46,7 @@ from typing import Any
 
 from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
-from ..files.nearest import did_you_mean
+from ..files.nearest import instead_of
 from ..files.opened import OpenedFile
 from ..plotting import axes
 from ..plotting.figures import figure_of
@@ -54,7 +55,6 @@ from ..plotting.style import using
 from ..maps.curves_over import read_lines
 from ..maps.map_file import PeterkaFile
 from ..maps.outcomes import read_wanted
-from ..maps.uncertain_map import IMPACTS
 from ..measurements import map_residuals
 from ..measurements.points import Measurements, Point, read_measurements
 from ..pictures import open_file, picture_name, pictures_of
@@ -109,8 +109,8 @@ def read_arguments() -> argparse.Namespace:
                              "force_n or force_ratio, displacement_mm or displacement_ratio, gap_mm or gap_ratio, and optionally standard errors "
                              "(force_error_n, ...), series, label. Two lines of an example: frequency_hz,gap_mm,force_n,label / "
                              "9.0,1.0,152.5,first run")
-    parser.add_argument("--probability", metavar="MOTION", type=read_motion, default=IMPACTS,
-                        help="of drawn rigs: a p/q, 'no impact', chaotic, or impacts, of any kind; default: impacts")
+    parser.add_argument("--probability", metavar="MOTION", type=read_motion,
+                        help="of drawn rigs, in a map with [uncertainty]: a p/q, 'no impact', chaotic, or impacts, of any kind; default: impacts")
     parser.add_argument("--curves", metavar="CURVES.h5", type=Path,
                         help="marks and lists where the motions of a sweep end or change, from curves with its gaps; draws them over a map")
     arguments = parser.parse_args()
@@ -186,8 +186,7 @@ def chosen(file: OpenedFile, pictures: dict[str, Callable[..., Any]], names: Seq
     """The pictures of these names; all of them where none is named. A part of a file, as of --zoom, may give fewer."""
     unknown = [name for name in names if name not in pictures]
     if unknown:
-        asked = ", ".join(name + did_you_mean(name, pictures) for name in unknown)
-        raise file.refusal(f"gives no picture {asked}{' with --zoom' * is_part}; it gives {', '.join(pictures)}")
+        raise file.refusal(f"gives no picture{' with --zoom' * is_part} named {instead_of(unknown, pictures, 'it gives')}")
     return {name: draw for name, draw in pictures.items() if name in names or not names}
 
 

@@ -9,19 +9,21 @@ point gives its motion. Of curves it shows these over their coarse map: a click 
 motion that ends or changes there and what becomes of it. All fields of a map of up to a million cells are in the page, to the last bit; of a
 larger one z and peak force, to so many digits that the page stays below 10 MB, or those that --layers names. --every 4
 takes each 4th row and column of a map of more than 16,777,216 cells.
-The engine is built when it is first needed, which takes a minute, and kept in build/page. Without the compiler for it
+The engine is built when it is first needed, which takes a minute and shows how far it is, and kept in build/page. Without the compiler for it
 (packages: src/page/packages.sh) the page shows the map and its values, and says what is missing.
 Exit codes: 0 done; 2 a file cannot be shown, or bad arguments; 3 the page cannot be written.
 """
 
 import argparse
+import sys
 from pathlib import Path
 
 from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from ..files.whole_file import write_text
 from ..maps.map_file import PeterkaFile
-from ..page.engine import is_to_be_built
+from ..page.engine import NoEngine, is_to_be_built
+from ..page.engine import path as path_of_engine
 from ..page.layers import MOST_CELLS
 from ..page.page import page
 from ..pictures import open_file
@@ -45,7 +47,7 @@ def _explore() -> int:
         with open_file(arguments.file) as file:
             shown = explorable(file, arguments.every)
             if is_to_be_built():
-                complain("building the page's engine, about a minute, once")
+                build_engine()
             text, notes = page(shown, arguments.every, arguments.layers)
     except PeterkaFileError as refusal:
         complain(refusal)
@@ -59,6 +61,26 @@ def _explore() -> int:
         return BAD_OUTPUT
     tell(output)
     return DONE
+
+
+def build_engine() -> None:
+    """Builds the page's engine ahead, and shows how far that is; where it can't be built, the page will say why."""
+    complain("building the page's engine, about a minute, once")
+    try:
+        path_of_engine(progress=show_progress)
+    except NoEngine:
+        pass
+
+
+def show_progress(done: int, total: int) -> None:
+    """On a terminal one line that is written again and again, else a line at each quarter."""
+    if sys.stderr is None:
+        return
+    text = f"{done} of {total} sources compiled{', linking' * (done == total)}"
+    if sys.stderr.isatty():
+        print(f"\r{text}", end="\n" if done == total else "", file=sys.stderr, flush=True)
+    elif 4 * done // total > 4 * (done - 1) // total:
+        complain(text)
 
 
 def read_arguments() -> argparse.Namespace:

@@ -4,9 +4,9 @@
 
 csv: STEM.csv, a line for each cell, an empty cell where there is no number; of a sweep, csv alone, a line for each point of each branch
 (branch from 0, direction, gap, frequency, ...). vtk: STEM.vtk, a rectilinear grid for ParaView.
-mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names (_n: N, _n_s: N s, _w: W, _ratio: over the hammer's
-weight, A0, A0*omega or omega); others have the file's unit, or are pure numbers. What isn't one number of each
-cell is left out, and told. Regimes are words in CSV, else numbers as in the file (-128: not computed yet).
+mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names (_n: N, _n_s: N s, _w: W, _n_per_mm: N per mm, _ratio:
+over the hammer's weight, A0, A0*omega or omega); others have the file's unit, or are pure numbers, as elasticities (_by_: % per %). What isn't one number of each
+cell is left out, and told. Codes (regime, status, engine, ...) are words in CSV, else numbers as in the file (-128: not computed yet).
 Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 an export cannot be written.
 """
 

@@ -7,7 +7,8 @@
 A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
 that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without impact
 anywhere within the drift; the default), at least a share of them above one half, or the job's own alone. A drift that ends
-between two cells takes the farther one, too; how far boxes reach is told then. It is told what of that is
+between two cells takes the farther one, too; how far boxes reach is told then. A drift wider than the map, or along what it doesn't
+vary, is refused. It is told what of that is
 proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
 17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten
 best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the drift around the
@@ -34,7 +35,7 @@ from ..maps.map_file import PeterkaFile
 from ..maps.outcomes import draws_of
 from ..operating import fresh_draws, picture, risk, told, verify, words
 from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
-from ..operating.drift import Reach, reach, worst_of_boxes
+from ..operating.drift import USUAL, Reach, reach, read_drift, worst_of_boxes
 from ..operating.places import Place, best_places
 from ..plotting.style import using
 from .command_line import (
@@ -75,7 +76,8 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if starts not in (ANY, JOB):
         told.refuse_few_starts(file, starts)
     quantity = quantity_of(file, arguments.quantity or "peak_force")
-    rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
+    drift = read_drift(file, {"Hz": arguments.hz, "mm": arguments.mm})
+    rows, columns = (reach(file, axis, *drift) for axis in (file.rows, file.columns))
     found = admitted(file, starts, quantity.name)
     worst = worst_of_boxes(found, rows, columns, codes_of(arguments.regime))
     asks = starts != JOB or told.has_job(file)  # a map made by hand may have none
@@ -121,7 +123,8 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     draws, quantity = risk.refuse_untold(file, arguments.risk), risk.quantity_at(file, arguments.risk)
     if arguments.quantity not in (None, quantity.name):
         raise file.refusal(f"keeps of its drawn rigs the {quantity.name} alone; --risk doesn't go with --quantity {arguments.quantity}")
-    rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
+    widths = read_drift(file, {"Hz": arguments.hz, "mm": arguments.mm})
+    rows, columns = (reach(file, axis, *widths) for axis in (file.rows, file.columns))
     found = risk.admitted_at(file, arguments.risk, arguments.regime)
     worst = worst_of_boxes(found, rows, columns)
     places = risk.with_motions(file, best_places(worst, found, rows, columns), rows, columns)
@@ -135,6 +138,8 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if boxes:
         tell(f"  {apart}: {boxes}")
     tell(f"  {risk.text_of_sampling(file, arguments.risk, draws)}")
+    for line in risk.strange_offsets(file):
+        tell(f"  {line}")
     for line in words.table(file, places, quantity, "least probability of z"):
         tell(line)
     tell(words.best_lines(file, places[0], quantity, {})[0])
@@ -142,7 +147,7 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     save_all(picture.draw(file, np.where(worst > 0, worst, np.nan), places, rows, columns, said), arguments.output_dir,
              f"{file.path.stem}_operating_point_risk", arguments.formats)
     if arguments.verify:
-        fresh = fresh_draws.draw_afresh(file, places[0], (arguments.hz, arguments.mm), arguments.risk, arguments.output_dir,
+        fresh = fresh_draws.draw_afresh(file, places[0], widths, arguments.risk, arguments.output_dir,
                                         arguments.ranks, arguments.peterka)
         tell(fresh_draws.text_of(fresh, places[0], arguments.risk, quantity))
     return DONE
@@ -180,8 +185,8 @@ def read_arguments() -> argparse.Namespace:
     """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("map", metavar="MAP.h5", type=Path)
-    parser.add_argument("--hz", type=read_drift, default=0.5, help="drift of the frequency to either side; default: 0.5")
-    parser.add_argument("--mm", type=read_drift, default=0.1, help="drift of the gap to either side; default: 0.1")
+    parser.add_argument("--hz", type=read_width, help=f"drift of the frequency to either side; default: {USUAL['Hz']}")
+    parser.add_argument("--mm", type=read_width, help=f"drift of the gap to either side; default: {USUAL['mm']}")
     parser.add_argument("--starts", metavar="WHICH", nargs="+", help="any, share S, or job")
     parser.add_argument("--quantity", choices=list(QUANTITIES), help="default: peak_force")
     parser.add_argument("--regime", metavar="P/Q,...", type=read_regimes)
@@ -224,15 +229,15 @@ def read_probability(text: str) -> float:
     return probability
 
 
-def read_drift(text: str) -> float:
-    """The drift, 0 or above, that an argument says."""
+def read_width(text: str) -> float:
+    """The half-width of a drift, 0 or above, that an argument says."""
     try:
-        drift = float(text)
+        width = float(text)
     except ValueError:
-        drift = np.nan
-    if not 0 <= drift < 1e100:
+        width = np.nan
+    if not 0 <= width < 1e100:
         raise argparse.ArgumentTypeError(f"'{text}' is not 0 or a number above")
-    return drift
+    return width
 
 
 def read_regimes(text: str) -> list[str]:

@@ -1,8 +1,8 @@
 """The cell fields of a map or basin, or those of a sweep's points, with names and customary units."""
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,10 @@ from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL, CheckedFile
 from ..files.coordinates import NAMES, unit_of
 from ..errors import PeterkaFileError
+from ..files import regimes
 from ..maps.map_file import PeterkaFile
+from ..maps.rates import Rate, column_of_elasticity, rates_of
+from ..maps.rig_numbers import Along, along_axes
 from ..sweeps.sweep_file import SweepFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
@@ -28,12 +31,26 @@ MILLI = {"max_displacement": 1e3}
 
 @dataclass(frozen=True)
 class Field:
-    """A dataset on [rows][columns], exported under `name` as the stored value times `factor`."""
+    """A number of each cell, exported under `name`: a dataset on [rows][columns], as the stored value times `factor`, or a `rate` computed
+    from several."""
 
     dataset: str
     name: str
     factor: float
     whole: bool  # integer-valued
+    words: Mapping[int, str] = field(default_factory=dict)  # of a table: what the numbers of a dataset of flags mean
+    rate: Rate | None = None
+
+    @property
+    def datasets(self) -> tuple[str, ...]:
+        """Those that it is made of."""
+        return self.rate.datasets if self.rate else (self.dataset,)
+
+    def values(self, cells: Mapping[str, NDArray[Any]], rows: slice | int) -> NDArray[Any]:
+        """From {dataset: array} of these rows; -1 of whole numbers and NaN of others mean no value."""
+        if self.rate:
+            return self.rate.of(cells, rows)
+        return cells[self.dataset] if self.whole else cells[self.dataset] * self.factor
 
 
 @dataclass(frozen=True)
@@ -69,12 +86,36 @@ def fields_of(file: PeterkaFile | SweepFile) -> list[Field]:
             found.append(Field(name, f"{name}_{in_si if unit else 'ratio'}", size * unit if unit else 1.0, False))
         elif name in edges:
             found.append(Field(name, *edges[name], False))
+        elif column := column_of_elasticity(name):
+            found.append(Field(name, column, 1.0, False))
         else:
             suffix = SUFFIXES.get(name)
-            found.append(Field(name, f"{name}_{suffix}" if suffix else name, MILLI.get(name, 1.0), kind in INTEGER))
+            found.append(Field(name, f"{name}_{suffix}" if suffix else name, MILLI.get(name, 1.0), kind in INTEGER,
+                               _words(file, name) if kind in INTEGER else {}))
+    found += [Field(rate.elasticity, rate.column, 1.0, False, rate=rate) for rate in rates_of(file, _coordinates(file))]
     taken = {name for side in sides_of(file) for name in (side.name, side.ratio_name)} | {"title"}
     taken |= {field.name for field in found if field.name != field.dataset}
     return [field for field in found if field.name != field.dataset or field.name not in taken]
+
+
+def _words(file: PeterkaFile | SweepFile, name: str) -> dict[int, str]:
+    """{number: word} of a dataset of flags; empty where its numbers are counts, or the file doesn't say."""
+    if name == "regime":
+        return dict(enumerate(REGIMES)) | {regimes.NOT_COMPUTED: NOT_COMPUTED}
+    try:
+        return {regimes.NOT_COMPUTED: ""} | file.data.words(name)
+    except PeterkaFileError:
+        return {}
+
+
+def _coordinates(file: PeterkaFile | SweepFile) -> list[Along]:
+    if isinstance(file, PeterkaFile):
+        return along_axes(file)
+    found = [Along(file.axis_name, file.axis.stored, file.axis.unit, file.values[None, :])]
+    if any(branch.gap_ratio is not None for branch in file.branches) and file.gap_name != file.axis_name:
+        gaps = np.array([np.nan if branch.gap_ratio is None else branch.gap_ratio for branch in file.branches])
+        found.append(Along(file.gap_name, file.gap_name, 1.0, gaps[:, None]))
+    return found
 
 
 def sides_of(file: PeterkaFile | SweepFile) -> tuple[Side, Side]:
@@ -114,13 +155,8 @@ def left_out(file: PeterkaFile | SweepFile) -> list[str]:
 
 
 def bands(file: PeterkaFile, fields: Sequence[Field]) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
-    """(first row, {name: values (rows, columns)}) over all cells; -1 in integer fields and NaN in others mean no value."""
-    names = list(dict.fromkeys(["regime", *(field.dataset for field in fields)]))
+    """(first row, {name: values (rows, columns)}) over all cells."""
+    names = list(dict.fromkeys(["regime", *(name for field in fields for name in field.datasets)]))
     for first, band in file.bands(names):
-        yield first, {field.name: band[field.dataset] if field.whole else band[field.dataset] * field.factor
-                      for field in fields}
-
-
-def regime_word(number: int) -> str:
-    """The word written to CSV for a number of `regime`."""
-    return REGIMES[number] if 0 <= number < len(REGIMES) else NOT_COMPUTED
+        rows = slice(first, first + len(band["regime"]))
+        yield first, {field.name: field.values(band, rows) for field in fields}

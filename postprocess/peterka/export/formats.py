@@ -14,7 +14,7 @@ from ..files.opened import OpenedFile
 from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
 from ..sweeps.sweep_file import SweepFile
-from .cells import Field, Side, bands, fields_of, left_out, regime_word, sides_of
+from .cells import Field, Side, bands, fields_of, left_out, sides_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 MOST_NAMED = 12
@@ -29,7 +29,7 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
         table = csv.writer(out)
         table.writerow([*heads, *(field.name for field in fields)])
         for first, band in bands(file, fields):
-            for row in range(len(band["regime"])):
+            for row in range(len(band[fields[0].name])):
                 values = [_texts(field, band[field.name][row]) for field in fields]
                 for column, cells in enumerate(zip(*values)):
                     places = {0: first + row, 1: column}
@@ -47,8 +47,8 @@ def write_csv_of_sweep(file: SweepFile, path: Path) -> None:
         table.writerow(["branch", "direction", *heads, *(field.name for field in fields)])
         for branch in file.branches:
             own = [str(branch.row), branch.direction, *(_number(numbers[branch.row]) for numbers in _once(gaps))]
-            cells = [(field, file.data.values(field.dataset, branch.row)) for field in fields]
-            texts = [_texts(field, values if field.whole else values * field.factor) for field, values in cells]
+            cells = {name: file.data.values(name, branch.row) for field in fields for name in field.datasets}
+            texts = [_texts(field, field.values(cells, branch.row)) for field in fields]
             for point, values in enumerate(zip(*texts)):
                 table.writerow([*own, *(_number(numbers[point]) for numbers in _once(points)), *values])
 
@@ -133,9 +133,9 @@ def _once(side: Side) -> list[Reals]:
 
 
 def _texts(field: Field, values: NDArray[Any]) -> list[str]:
-    if field.dataset == "regime":
-        return [regime_word(number) for number in values.tolist()]
-    return [str(value) for value in values.tolist()] if field.whole else [_number(value) for value in values.tolist()]
+    if field.whole:
+        return [field.words.get(value, str(value)) for value in values.tolist()]
+    return [_number(value) for value in values.tolist()]
 
 
 def _number(value: float) -> str:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from ..errors import PeterkaFileError
 from .harmless import harmless
-from .nearest import did_you_mean
+from .nearest import instead_of
 
 SEPARATORS = (";", "\t", ",")
 LONGEST_LINE = 10_000
@@ -97,7 +97,7 @@ def _text(path: Path, what: str, largest_bytes: int) -> str:
 def _check_names(path: Path, names: Sequence[str], known: Collection[str]) -> None:
     for name in names:
         if name not in known:
-            raise PeterkaFileError(f"{path} has the unknown column '{harmless(name, 40)}'{did_you_mean(name, known)}; it may have {', '.join(known)}")
+            raise PeterkaFileError(f"{path} has the unknown column {instead_of([name], known, 'it may have')}")
     twice = [name for name in names if names.count(name) > 1]
     if twice:
         raise PeterkaFileError(f"{path} has {min(twice)} twice; each quantity has one column")

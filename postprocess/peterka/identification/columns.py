@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ..files.harmless import harmless
-from ..files.nearest import did_you_mean
+from ..files.nearest import instead_of
 from ..files.opened import STANDARD_GRAVITY
 
 OWN = {
@@ -103,7 +103,7 @@ def _column(cell: str, unit_above: str | None, layout: Layout, asked: bool) -> C
     name, unit = parted(cell)
     quantity = quantity_of(name)
     if quantity is None:
-        raise ValueError(f"has the unknown column '{harmless(cell, 40)}'{did_you_mean(cell, OWN)}; it may have {', '.join(OWN)}, or --columns says what each is, "
+        raise ValueError(f"has the unknown column {instead_of([cell], OWN, 'it may have')}; or --columns says what each is, "
                          f"and '{LEFT_OUT}' leaves one out")
     unit = unit or unit_above or (SI[quantity] if asked else None)
     if quantity in layout.scale:

@@ -37,6 +37,21 @@ class CommonPlane:
         return mine if mine == other else None
 
     @property
+    def given_in_si(self) -> frozenset[str]:
+        """The coordinates, by the names of their ratios, that both jobs give in SI units."""
+        return self.first.given_in_si & self.second.given_in_si
+
+    @property
+    def tells_forces(self) -> bool:
+        """Whether both files tell forces in N."""
+        return bool(self.first.newtons and self.second.newtons)
+
+    @property
+    def weights(self) -> float:
+        """The weight of the second file's hammer over that of the first; 1 unless both are told."""
+        return self.second.newtons / self.first.newtons if self.first.newtons and self.second.newtons else 1.0
+
+    @property
     def in_words(self) -> str:
         """Which part of each file is common; empty if both are common as a whole."""
         if self.shape == self.first.shape == self.second.shape:

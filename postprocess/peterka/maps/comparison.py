@@ -1,6 +1,7 @@
 """Cell-by-cell comparison of two files over planes with common points: differences in regime, z = p/q and peak force.
 
-Forces are compared as B's over A's if both files have the same label and a lasting force: z = p/q, or sustained contact.
+Forces are compared as B's over A's if both files have the same label and a lasting force: z = p/q, or sustained contact; forces [N] where
+both files tell the hammer's mass, otherwise each over its own hammer's weight.
 Peaks in chaos grow with the observation time and are not compared. Memory: 16 bytes per compared cell.
 """
 
@@ -18,7 +19,8 @@ from ..files.harmless import harmless
 from ..errors import PeterkaFileError
 from ..files.regimes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting.classes import class_of
-from ..plotting.coordinates import in_words, label, without_symbol
+from ..plotting.coordinates import either, in_words, label, without_symbol
+from ..plotting.units import amount, number
 from .common_plane import CommonPlane
 from .map_file import PeterkaFile
 
@@ -34,7 +36,8 @@ _ORBIT = 8  # label codes below this are regimes
 @dataclass(frozen=True)
 class Comparison:
     """Comparison of files A and B at their common points. `moves`: number of cells for each (label in A, label in B) that
-    differ. `force_ratio` (n,): forces of B over those of A; `place` (n, 2): (row, column) of each in the common plane."""
+    differ. `force_ratio` (n,): forces of B over those of A; `force` (n,): those of A over the weight of its hammer; `place` (n, 2): (row,
+    column) of each in the common plane."""
 
     plane: CommonPlane
     cells: int
@@ -42,6 +45,7 @@ class Comparison:
     same_label: int
     moves: Counter[tuple[str, str]]
     force_ratio: Reals
+    force: Reals
     place: Integers
 
     @property
@@ -59,7 +63,7 @@ def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
     plane = CommonPlane(first, second)
     cells = same_regime = same_label = 0
     moves: Counter[tuple[str, str]] = Counter()
-    ratios, places = [], []
+    ratios, forces, places = [], [], []
     for row, a, b in plane.bands(NAMES):
         both = there(a) & there(b)
         codes = label_codes(**a), label_codes(**b)
@@ -69,9 +73,10 @@ def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
         same_label += int(same.sum())
         moves += _moves(*(code[both & ~same] for code in codes))
         forced = same & has_lasting_force(a, b)
-        ratios.append(b["peak_force_ratio"][forced] / a["peak_force_ratio"][forced])
+        ratios.append(force_ratio(a, b, plane.weights)[forced])
+        forces.append(a["peak_force_ratio"][forced])
         places.append(np.argwhere(forced).astype(np.int32) + np.array([row, 0], dtype=np.int32))
-    return Comparison(plane, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(places))
+    return Comparison(plane, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(forces), np.concatenate(places))
 
 
 def there(band: Mapping[str, NDArray[Any]]) -> Mask:
@@ -91,6 +96,13 @@ def has_lasting_force(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any
     lasts = (a["regime"] == PERIODIC) | (a["regime"] == SUSTAINED_CONTACT)
     mask: Mask = lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
     return mask
+
+
+def force_ratio(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]], weights: float) -> Reals:
+    """B's peak force over A's in each cell of two bands; `weights`: of B's hammer over A's."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values: Reals = b["peak_force_ratio"] / a["peak_force_ratio"] * weights
+    return values
 
 
 def force_difference(ratio: Reals, scale: float = 1.0) -> Reals:
@@ -124,13 +136,27 @@ def _force_lines(comparison: Comparison) -> list[str]:
         return ["No peak force to compare."]
     quantiles = ", ".join(f"{value:.6g} ({share} %)" for share, value in
                           zip(SHARES, np.percentile(ratio, SHARES)))
-    lines = [f"Peak force in {len(ratio):,} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
+    plane = comparison.plane
+    of = "B's over A's" if plane.tells_forces else "B's over A's, each over its own hammer's weight"
+    lines = [f"Peak force in {len(ratio):,} cells of the same regime and z, {of}", f"  ratio               {quantiles}",
+             f"  median force        {_two_forces(plane, *(float(np.median(force)) for force in (comparison.force, comparison.force * ratio)))}"]
+    if plane.weights != 1:
+        lines.append(f"  weight              B's hammer weighs {plane.weights:.6g} times A's: over their weights these ratios are "
+                     f"{1 / plane.weights:.6g} times as large")
     for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
-        (row, column), plane = comparison.place[extreme], comparison.plane
+        row, column = comparison.place[extreme]
+        force = comparison.force[extreme]
         lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at "
                      f"{in_words(plane, plane.columns, plane.columns.values[column], 6)}, "
-                     f"{in_words(plane, plane.rows, plane.rows.values[row], 6)}")
+                     f"{in_words(plane, plane.rows, plane.rows.values[row], 6)}: {_two_forces(plane, force, force * ratio[extreme])}")
     return lines
+
+
+def _two_forces(plane: CommonPlane, a: float, b: float) -> str:
+    """A's and B's force, given over the weight of A's hammer, in N and over the weight of each one's own."""
+    newtons = plane.first.newtons if plane.tells_forces else None
+    return ", ".join(f"{either(plane, amount(force * newtons, 'N') if newtons else '', f'{number(force / weight)} weights', '{} = {}')} in {name}"
+                     for name, force, weight in (("A", a, 1.0), ("B", b, plane.weights)))
 
 
 def change(ratio: float) -> str:

@@ -1,7 +1,7 @@
 """Picture of the differences between two files at their common points: regime, z = p/q, or peak force.
 
 Cells with the same label and a lasting force are coloured by B's force over A's: blue if weaker, red if stronger, white if
-equal; in the grey palette from light to dark. Other cells have a flat colour. A block of a reduced picture shows its largest difference.
+equal; in the grey palette the darker the farther from equal, and with strokes if weaker. Other cells have a flat colour. A block of a reduced picture shows its largest difference.
 """
 
 from collections.abc import Mapping
@@ -15,17 +15,16 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals, ma
-from ..plotting import axes, style, units
+from ..plotting import axes, signed, style, units
 from .common_plane import CommonPlane
-from .comparison import NAMES, Comparison, differing_keys, has_lasting_force, label_codes, there
-from .field_map import scale_colours, without_value
+from .comparison import NAMES, Comparison, differing_keys, force_ratio, has_lasting_force, label_codes, there
+from .field_map import without_value
 from .map_file import PeterkaFile
 from .reduce import LIMIT, Reduced, block_size, largest, with_edges
 
 WIDTH = 3.7  # in
 MOST = 99  # % of the cells' differences lie within the scale
 LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
-FORCE_COLOURS = "RdBu_r"
 SAME, ORBIT, REGIME, MISSING = range(4)
 COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
 HATCHES = ["", "//", "xx", ""]  # in the grey palette
@@ -39,7 +38,7 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
     block = block_size(plane.shape, LIMIT)
     counts, kinds, ratios = np.zeros(len(COLOURS), dtype=np.int64), [], []
     for _, a, b in plane.bands(NAMES, block):
-        kind, ratio = _kinds(a, b)
+        kind, ratio = _kinds(a, b, plane.weights)
         counts += np.bincount(kind[np.isnan(ratio)], minlength=len(COLOURS))
         ratios.append(_farthest(ratio, block))
         kinds.append(largest(kind.astype(float), block).astype(np.uint8))
@@ -49,6 +48,7 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
     handles = [axes.legend_patch(f"{name} ({axes.percent(counts[kind] / total)})", looks[kind], kind == MISSING)
                for kind, name in enumerate(NAMES_OF_KINDS) if counts[kind]]
     has_forces = len(comparison.force_ratio) > 0
+    handles += signed.entries("B weaker than A") if has_forces and comparison.force_ratio.min() < 1 else []
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=has_forces)
     axes.show_classes(ax, reduced, looks, MISSING)
     if has_forces:
@@ -69,11 +69,8 @@ def _words(first: PeterkaFile, second: PeterkaFile, plane: CommonPlane) -> list[
 def _draw_ratios(figure: Figure, ax: Axes, bar_ax: Axes, reduced: Reduced, image: Reals, ratio: Reals) -> None:
     logarithm = np.abs(np.log(ratio))
     span = float(np.clip(np.exp(np.percentile(logarithm, MOST)), LEAST_SPAN, WIDEST_SPAN))
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, image, cmap=scale_colours() if style.is_grey() else FORCE_COLOURS, norm=LogNorm(1 / span, span),
-                         rasterized=True)
-    beyond = logarithm.max() > np.log(span)
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if beyond else "neither")
-    bar.outline.set_linewidth(0.6)
+    mesh = signed.show(ax, reduced, ma.filled(image, np.nan), LogNorm(1 / span, span))
+    bar = signed.draw_bar(figure, bar_ax, mesh, "both" if logarithm.max() > np.log(span) else "neither")
     bar.set_label(f"peak force of B over A, same $z$ (median {units.number(float(np.median(ratio)))})", fontsize=8)
     bar_ax.xaxis.set_major_locator(FixedLocator(np.geomspace(1 / span, span, 5)))
     bar_ax.xaxis.set_minor_locator(NullLocator())
@@ -90,12 +87,11 @@ def _farthest(ratio: Reals, block: int) -> Reals:
     return values
 
 
-def _kinds(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> tuple[Integers, Reals]:
+def _kinds(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]], weights: float) -> tuple[Integers, Reals]:
     """A number for each cell, and B's force over A's; NaN where they are not comparable."""
     same = label_codes(**a) == label_codes(**b)
     both = there(a) & there(b)
     forced = both & same & has_lasting_force(a, b)
-    ratio = np.full(same.shape, np.nan)
-    ratio[forced] = b["peak_force_ratio"][forced] / a["peak_force_ratio"][forced]
+    ratio = np.where(forced, force_ratio(a, b, weights), np.nan)
     kinds = np.where(same, SAME, np.where(a["regime"] == b["regime"], ORBIT, REGIME))
     return np.where(both, kinds, MISSING), ratio

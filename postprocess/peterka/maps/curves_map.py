@@ -1,7 +1,7 @@
 """Boundaries of regimes: the curves of a window, alone, over the coarse map in which they were searched, or over another map.
 
 Folds are solid, period doublings dashed, grazings dotted; letters mark the special points, once for coinciding ones. The
-longest curves are labelled with z = p/q of the orbit on the stable side, or no impact.
+longest curves are labelled with z = p/q of the orbit on the stable side, or no impact, where no other curve lies beneath the name.
 """
 
 from collections.abc import Sequence
@@ -34,7 +34,9 @@ LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "pe
            "double_grazing": ("G", "two grazings"), "cusp": ("C", "cusp: two folds meet"),
            "inflection": ("I", "grazing without acceleration")}
 COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
-MOST_NAMES = 24
+MOST_NAMES, NAME_SIZES = 24, (6, 5)  # pt
+PLATE = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "boxstyle": "square,pad=0.1"}  # behind a name over a map
+STEP = 4.0  # pixels
 SAME_DOT = 0.012  # of the picture: dots closer than this would overlap
 TOGETHER = 0.05  # of the picture: special points that share their letters
 
@@ -79,13 +81,13 @@ def _draw(file: PeterkaFile, lines: Lines, ax: Axes | None, over: str | None = N
         ax.plot(curve.columns, curve.rows, **_look(curve.kind, over_map))
     axes.write_title(figure, file, "where regimes end", ax=ax)
     groups, ways = _draw_dots(ax, lines), [_pixels(ax, curve.columns, curve.rows) for curve in lines.curves]
-    _write_names(ax, lines, ways)
+    _write_names(ax, lines, ways, over_map)
     _write_letters(ax, groups, ways)
     return ax
 
 
 def _look(kind: str, over_map: bool) -> dict[str, Any]:
-    effects = {"path_effects": axes.outline(1.8)} if over_map else {}
+    effects = {"path_effects": axes.outline(1.5)} if over_map else {}
     return LOOKS[kind] | {"color": COLOURS[kind]} | effects
 
 
@@ -120,12 +122,23 @@ def _is_near(place: Reals, other: Reals, distance: Reals) -> bool:
     return float(np.hypot(*((place - other) / distance))) < 1
 
 
-def _write_names(ax: Axes, lines: Lines, ways: Sequence[Reals]) -> None:
-    """Writes the motion's name on each of the longest curves, as near to its middle as it has room; `ways`: those of the curves."""
+def _write_names(ax: Axes, lines: Lines, ways: Sequence[Reals], over_map: bool) -> None:
+    """Writes the motion's name on each of the longest curves, as near to its middle as it has room; `ways`: those of the curves. Over the
+    colours of a map it is black on white."""
     lengths = [float(np.sum(np.hypot(*np.diff(way, axis=0).T))) for way in ways]
+    dense = [_dense(way) for way in ways]
     for number in np.argsort(lengths, kind="stable")[::-1][:MOST_NAMES]:
         curve = lines.curves[number]
-        write_on(ax, ways[number], name_of(curve.impacts, curve.period), 6, COLOURS[curve.kind])
+        look: dict[str, Any] = {"bbox": PLATE} if over_map else {"color": COLOURS[curve.kind], "path_effects": axes.outline(1.6)}
+        others = np.concatenate([np.zeros((0, 2)), *(way for other, way in enumerate(dense) if other != number)])
+        write_on(ax, dense[number], name_of(curve.impacts, curve.period), NAME_SIZES, others, look)
+
+
+def _dense(way: Reals) -> Reals:
+    """A line through points, (n, 2) [pixels], with points STEP apart at most."""
+    along = np.append(0.0, np.cumsum(np.hypot(*np.diff(way, axis=0).T)))
+    fine = np.union1d(along, np.arange(0.0, along[-1], STEP))
+    return np.column_stack([np.interp(fine, along, one) for one in way.T])
 
 
 def _write_letters(ax: Axes, groups: Sequence[tuple[Reals, set[str]]], ways: Sequence[Reals]) -> None:

@@ -6,31 +6,28 @@ each number is known, by its product with the number's relative standard deviati
 has the same colour in every picture. A block of a reduced map shows what is farthest from 0, or the commonest number.
 """
 
-import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ..arrays import Integers, Reals, ma
-from ..files.coordinates import RATIOS, unit_of
-from ..files.job_numbers import number_of, tables_of
+from ..arrays import Integers, Reals
 from ..files.regimes import NOT_COMPUTED, PERIODIC
 from ..plotting import axes, style
 from ..plotting.coordinates import label
 from ..plotting.fills import Fill, grey
-from ..plotting.fills import Fill
 from ..plotting.picture import picture
-from .field_map import scale_colours, without_value
+from . import signed_map
+from .field_map import without_value
 from .map_file import PeterkaFile
-from .reduce import LIMIT, Reduced, block_size, class_picture, largest, with_edges
+from .reduce import Reduced, class_picture
+from .rig_numbers import deviation_of
+from .signed_map import SignedField
 
 WIDTH = 3.7  # in
-TOP = 95.0  # percentile of the sizes at which the scale ends: near folds they have no bound
-COLOURS = "RdBu_r"
 PLAIN = 70  # lightness in the grey palette of the number that has no hatching
 OTHERS = [("no elasticity", "#CFCFCF", ""), ("not computed yet", "#FFFFFF", "")]
 # Of each number, after which the dataset is named: its colour, and its hatching in the grey palette.
@@ -62,30 +59,8 @@ def datasets(file: PeterkaFile) -> dict[str, str]:
 def draw(file: PeterkaFile, ax: Axes | None = None, *, number: str) -> Axes | None:
     """The picture of the elasticity by one of NUMBERS, as Axes; None if no cell has one."""
     name = datasets(file)[number]
-    reduced = _farthest_from_0(file, name)
-    sizes = np.abs(reduced.image[np.isfinite(reduced.image)])
-    if not sizes.size:
-        return None
-    top = top_of(reduced.image)
-    image, counts = class_picture(file, ["regime", name], _lacking, len(OTHERS))
-    looks = _looks()
-    handles = [axes.legend_patch(words, looks[n], n == 1) for n, (words, *_) in enumerate(OTHERS) if counts[n] and _is_seen(image, n, reduced)]
-    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
-    axes.show_classes(ax, image, looks, 1)
-    low, high = style.current().limits or (None, None)
-    colours = scale_colours() if style.is_grey() else COLOURS
-    low, high = -top if low is None else low, top if high is None else high
-    farthest = max(abs(low), abs(high))  # 0 is white whatever the limits
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=colours,
-                         vmin=-farthest, vmax=farthest, rasterized=True)
-    axes.label_axes(ax, file)
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if sizes.max() > top else "neither")
-    bar.outline.set_linewidth(0.6)
-    bar.ax.set_xlim(low, high)
-    bar.set_label(f"{words(name)} (% per %)", fontsize=8)
-    axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, axes.operating_point(file), ax)
-    return ax
+    field = SignedField([name], lambda band, _: band[name], words(name), "% per %", OTHERS[0][:2])
+    return signed_map.draw(file, field, ax)
 
 
 @picture(PeterkaFile)
@@ -129,37 +104,6 @@ def has_two(file: PeterkaFile) -> bool:
     return len(datasets(file)) > 1
 
 
-def deviation_of(file: PeterkaFile, number: str) -> float | Reals | None:
-    """The relative standard deviation that [uncertainty] gives one of NUMBERS, for all cells or for each row or column; None where it
-    is certain, or the file doesn't tell the number itself."""
-    try:
-        tables = tables_of(file.data.attribute("job"))
-    except ValueError:
-        return None
-    spreads = tables.get("uncertainty")
-    if not isinstance(spreads, dict) or not spreads.get("rigs"):
-        return None
-    for path in _paths(number):
-        table, key = path.split(".")
-        spread = spreads.get(table, {}).get(key) if isinstance(spreads.get(table), dict) else None
-        absolute = _identified(spreads, path)
-        if isinstance(spread, dict):
-            if "relative" in spread:
-                return float(spread["relative"])
-            absolute = float(spread.get("standard_deviation", (spread.get("to", 0.0) - spread.get("from", 0.0)) / 12**0.5))
-        if absolute is not None:
-            value = _values(file, tables, path)
-            with np.errstate(divide="ignore"):
-                return None if value is None else absolute / np.abs(value)
-    return None
-
-
-def top_of(values: Reals) -> float:
-    """Where the scale of these elasticities ends, on either side of 0."""
-    sizes = np.abs(values[np.isfinite(values)])
-    return float(np.percentile(sizes, TOP)) or 1.0 if sizes.size else 1.0
-
-
 def words(dataset: str) -> str:
     """An elasticity in words: "peak force by stop stiffness"."""
     return f"{_result(dataset)} by {spoken(dataset.partition('_elasticity_')[2])}"
@@ -168,36 +112,6 @@ def words(dataset: str) -> str:
 def spoken(number: str) -> str:
     """One of NUMBERS in words: "stop stiffness"."""
     return "gap" if number == "gap_m" else re.sub(r" ?\$[^$]*\$", "", label(number)).partition(" (")[0]
-
-
-def _paths(number: str) -> list[str]:
-    """Where a job may tell how uncertain a number is."""
-    if number in RATIOS:
-        return [f"operating_point.{number}", f"operating_point.{RATIOS[number]}"]
-    table, _, key = number.partition("_")
-    return [f"{table}.{key}"]
-
-
-def _identified(spreads: Mapping[str, Any], path: str) -> float | None:
-    """The standard deviation of a number that is identified together with others."""
-    covariance: Any = spreads.get("covariance")
-    try:
-        n = covariance["of"].index(path)
-        return math.sqrt(covariance["matrix"][n][n])
-    except (TypeError, KeyError, ValueError, IndexError):
-        return None
-
-
-def _values(file: PeterkaFile, tables: Mapping[str, Any], path: str) -> float | Reals | None:
-    """The number at a path, along the axis that varies it; None if neither the axes nor the job tell it."""
-    key = path.removeprefix("operating_point.").replace(".", "_")
-    for axis, shape in ((file.columns, (1, -1)), (file.rows, (-1, 1))):
-        if axis.stored == key:
-            return (axis.values * axis.unit).reshape(shape)
-        if axis.name in (key, RATIOS.get(key)):
-            one = unit_of(file, axis.name) if key in RATIOS else 1.0
-            return (axis.values * one).reshape(shape) if one else None
-    return number_of(tables, path) or None
 
 
 def _result(name: str) -> str:
@@ -212,23 +126,6 @@ def _look_of(number: str) -> str | Fill:
 
 def _looks() -> list[str | Fill]:
     return [without_value(colour, hatch) for _, colour, hatch in OTHERS]
-
-
-def _lacking(regime: Integers, *_: Reals) -> Integers:
-    return np.where(regime == NOT_COMPUTED, 1, 0)
-
-
-def _is_seen(image: Reduced, n: int, reduced: Reduced) -> bool:
-    return bool(np.any((image.image == n) & ~np.isfinite(reduced.image)))
-
-
-def _farthest_from_0(file: PeterkaFile, name: str) -> Reduced:
-    block, pieces = block_size(file.shape, LIMIT), []
-    for _, band in file.bands(["regime", name], block):
-        values = np.where(band["regime"] == PERIODIC, band[name], np.nan)
-        up, down = largest(values, block), -largest(-values, block)
-        pieces.append(np.where(up >= -down, up, down))
-    return with_edges(file, np.concatenate(pieces), block)
 
 
 def _most(file: PeterkaFile, names: Sequence[str], weights: Sequence[float | Reals]) -> tuple[Reduced, NDArray[np.int64]]:

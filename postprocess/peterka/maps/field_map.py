@@ -21,6 +21,7 @@ from ..files.regimes import CHAOTIC, PERIODIC
 from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, Class, classify
 from ..plotting.fills import Fill, fill, grey
+from ..plotting.frames import label_of_bar
 from ..plotting.limits import requested
 from ..plotting.notes import write_beside
 from ..plotting.seen import SEEN
@@ -35,6 +36,8 @@ OTHER_COLOUR = "#F2F2F2"
 NO_VALUE_COLOUR = "#F7C6D0"  # cells whose value is missing, e.g. no contact force for a rigid stop
 LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of strongly stable orbits are very negative
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
+# Where this percentile lies below this share of that end, few cells would have the scale for themselves: it ends there then.
+BULK_SHARE, FLAT = 90, 0.25
 GREY_SCALE = (88, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
 GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
@@ -66,6 +69,7 @@ class Field:
     from_zero: bool = True  # the scale begins at 0; otherwise at the smallest value
     told: str = ""  # in the title, line by line
     zero: str = ""  # what the legend says of cells whose value is 0, set apart from the scale; empty: they are on the scale
+    marks_largest: bool = True  # a cross at the largest value; none of a coordinate, of which either sign may be far out
 
 
 def has_impacts(regime: Integers, *_: object) -> Mask:
@@ -96,12 +100,13 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
         shown = ma.masked_equal(shown, 0)
     mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
-    _draw_bar(figure, bar_ax, mesh, scale, (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
+    _draw_bar(figure, bar_ax, mesh, replace(scale, label=_told(scale.label, _beyond(shown.compressed(), norm))),
+              (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), field.told])), ax)
     if measured.points:
         marks.draw_over_map(ax, file, measured.points, lambda force: mesh.to_rgba(force * scale.factor))
-    if file.kind == "map":  # in a basin all starts of an orbit share the largest value
+    if field.marks_largest and file.kind == "map":  # in a basin all starts of an orbit share the largest value
         _mark(ax, file, peak, scale.text(peak.value))
     marks.name_over_map(ax, file, measured.points)
     return ax
@@ -175,10 +180,20 @@ def _norm(shown: Any, peak: float, from_zero: bool, limits: Sequence[float] | No
 
 
 def _top_of_scale(values: Reals, peak: float) -> float:
-    top = float(np.percentile(values, TOP_SHARE))
     if peak == 0:
         return 1.0
-    return top if top > 0 and peak > TOP_EXCESS * top else peak
+    bulk, top = (float(value) for value in np.percentile(values, (BULK_SHARE, TOP_SHARE)))
+    top = top if top > 0 and peak > TOP_EXCESS * top else peak
+    return bulk if 0 < bulk < FLAT * top else top
+
+
+def _beyond(values: Reals, norm: Normalize) -> str:
+    """What the scale says of the cells above its end, where that leaves out more than isolated ones."""
+    return f"{axes.percent(float(np.mean(values > norm.vmax)))} above" if norm.vmax < np.percentile(values, TOP_SHARE) else ""
+
+
+def _told(label: str, beyond: str) -> str:
+    return label_of_bar(label, beyond, "; ", WIDTH) if beyond else label
 
 
 def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond: tuple[bool, bool]) -> None:

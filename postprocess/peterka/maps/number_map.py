@@ -64,7 +64,8 @@ NUMBERS = {
 def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
     """The picture of one of NUMBERS that the file has, as Axes over its plane; None if no cell has a value."""
     number = NUMBERS[name]
-    field = Field(name, number.carries, number.apart, lambda largest: _scale(file, number, largest), number.from_zero)
+    field = Field(name, number.carries, number.apart, lambda largest: _scale(file, number, largest), number.from_zero,
+                  marks_largest=number.in_si is None)
     return field_map.draw(file, field, ax)
 
 

@@ -24,6 +24,7 @@ TITLES = {
     "contact_power_w": "mean power into the contact",
     "max_displacement": "largest displacement $|u|$",
 }
+FAR_FROM_ZERO = ("contact_time",)  # alike in most cells: half a period of hammer and stop
 
 
 @picture(PeterkaFile)
@@ -33,7 +34,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
     apart: tuple[str, ...] = WITHOUT_IMPACTS
     if name == "max_displacement":
         carries, apart = _known, ("unresolved", "failed")
-    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(file, name, largest)), ax)
+    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(file, name, largest), name not in FAR_FROM_ZERO), ax)
 
 
 def _known(regime: Integers, *_: object) -> Mask:

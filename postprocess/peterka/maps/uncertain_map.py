@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from ..arrays import Integers, Mask, Reals, ma
+from ..files.opened import OpenedFile
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, SUSTAINED_CONTACT, UNRESOLVED
 from ..plotting import axes, style, units
 from ..plotting.classes import CLASSES, INDEX, Class, classify
@@ -38,6 +39,7 @@ from .reduce import Reduced, orbit_picture
 WIDTH = 3.7  # in
 LINES = {0.5: (0, (1, 1.4)), 0.9: (0, (4, 1.6)), 0.95: "-"}  # probability: line style
 LEVELS = ((0.95, 0.0), (0.75, 0.3), (0.5, 0.55), (0.0, 0.75))  # probability from which on, and share of white in the colour
+HATCHES = {"chaotic": "..", "unresolved": "//"}
 LABELS = ["outcome_regime", "outcome_impacts", "outcome_period", "outcome_probability"]
 IMPACTS = "impacts"
 WITHOUT_IMPACTS = (NO_IMPACT, SUSTAINED_CONTACT, UNRESOLVED, FAILED)  # kinds of outcomes
@@ -109,6 +111,14 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     axes.name_areas(ax, _beside_lines(reduced, likely, levels), {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
                                   if counts[n] and (entry.orbit or n == INDEX["no impact"])})
     return ax
+
+
+def refuse_without_draws(file: OpenedFile) -> None:
+    """Refuses to tell the probability of a motion where no rigs were drawn for the cells of a map."""
+    if not isinstance(file, PeterkaFile) or file.kind != "map":
+        raise file.refusal(f"is of kind {file.kind}; the probability of a motion is told of a map with [uncertainty]")
+    if file.outcome_slots == 0:
+        raise file.refusal("was computed for one rig alone, so that no motion has a probability; a job with [uncertainty] draws rigs for each cell")
 
 
 def has(file: PeterkaFile, name: str) -> bool:
@@ -206,8 +216,9 @@ def _scale(file: PeterkaFile, name: str, largest: float) -> Scale:
 
 
 def _look_of(entry: Class) -> str | Fill:
-    """The look of a class: unresolved cells are hatched, for their grey is that of chaos where this is less likely."""
-    return Fill(entry.colour, "//") if entry.label == "unresolved" and not style.is_grey() else entry.colour
+    """The look of a class: those without a hue are hatched, for where they are less likely their greys are nearly alike, and no impact's."""
+    hatch = "" if style.is_grey() else HATCHES.get(entry.label, "")
+    return Fill(entry.colour, hatch) if hatch else entry.colour
 
 
 def _with_levels(reduced: Reduced, likely: Reduced) -> tuple[Reduced, list[str | Fill]]:

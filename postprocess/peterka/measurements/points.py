@@ -3,10 +3,10 @@
 One point a line, named columns in any order, each in SI-like units or as the ratio of the pictures:
 
     frequency_hz or frequency_ratio          always
-    force_n or force_ratio                   peak force, F or F/(m g)
+    force_n, force_kn or force_ratio         peak force, F or F/(m g)
     displacement_mm or displacement_ratio    hammer, x or x/A0
     gap_mm or gap_ratio                      required over a map, and for a sweep with several gaps
-    frequency_error_hz, force_error_n, displacement_error_mm, gap_error_mm, or ..._error_ratio
+    frequency_error_hz, force_error_n, force_error_kn, displacement_error_mm, gap_error_mm, or ..._error_ratio
                                              standard errors, drawn as bars
     natural_frequency_hz                     of the rig; points of other rigs are left out
     series                                   one legend entry per series
@@ -34,7 +34,9 @@ QUANTITIES = ("frequency", "force", "displacement", "gap")
 UNITS = {"frequency": "hz", "force": "n", "displacement": "mm", "gap": "mm"}
 PAIRS = {name: (f"{name}_ratio", f"{name}_{UNITS[name]}") for name in QUANTITIES}
 ERRORS = {name: (f"{name}_error_ratio", f"{name}_error_{UNITS[name]}") for name in QUANTITIES}
-COLUMNS = (*(name for pair in (*PAIRS.values(), *ERRORS.values()) for name in pair), "natural_frequency_hz", "series", "label")
+THOUSANDS = {"force_kn": "force_n", "force_error_kn": "force_error_n"}  # columns of 1000 of what the other has
+COLUMNS = (*(name for pair in (*PAIRS.values(), *ERRORS.values()) for name in pair), *THOUSANDS, "natural_frequency_hz", "series", "label")
+TEXTS = ("series", "label")
 MAX_BYTES, MAX_LABEL = 2**24, 60
 MOST_LABELS = 200  # of all points
 MOST_SERIES = 24  # so many marks can be told apart
@@ -98,13 +100,13 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     _check_axes(file)
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
     _check_names(table)
-    scales, metres = _scales(path, file, table.names), _metres(file)
+    scales, metres = _scales(path, file, [THOUSANDS.get(name, name) for name in table.names]), _metres(file)
     points: list[Point] = []
     other_gaps: list[str] = []
     other_rigs, outside = 0, 0
     moved: dict[float, list[float]] = {}  # for each gap: the distances by which points were moved
     for line, cells in table.rows:
-        numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
+        numbers = _numbers(table, line, cells)
         point = _point(table, line, cells, numbers, scales)
         if _is_of_another_rig(numbers.get("natural_frequency_hz"), file):
             other_rigs += 1
@@ -161,11 +163,22 @@ def _check_axes(file: OpenedFile) -> None:
 
 
 def _check_names(table: CsvTable) -> None:
-    both = [pair for pair in (*PAIRS.values(), *ERRORS.values()) if set(pair) <= set(table.names)]
-    if both:
-        raise table.refusal(f"has {' and '.join(both[0])}; each quantity has one column")
+    for pair in (*PAIRS.values(), *ERRORS.values()):
+        given = [name for name in COLUMNS if name in table.names and THOUSANDS.get(name, name) in pair]
+        if len(given) > 1:
+            raise table.refusal(f"has {' and '.join(given)}; each quantity has one column")
     if not set(PAIRS["frequency"]) & set(table.names):
         raise table.refusal("has no column frequency_hz or frequency_ratio; every point needs a frequency")
+
+
+def _numbers(table: CsvTable, line: int, cells: dict[str, str]) -> dict[str, float | None]:
+    """The numbers of a line, those of THOUSANDS under the name of the other unit; None of an empty cell."""
+    found: dict[str, float | None] = {}
+    for name in cells:
+        if name not in TEXTS:
+            number = table.number(line, cells, name)
+            found[THOUSANDS.get(name, name)] = 1e3 * number if number is not None and name in THOUSANDS else number
+    return found
 
 
 def _scales(path: Path, file: OpenedFile, names: Sequence[str]) -> dict[str, _Scale]:

@@ -4,7 +4,7 @@ The box covers at least the drift: if that ends between two cells, the farther o
 beyond the map have no value, because the outside is not computed.
 """
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,10 +14,12 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from ..arrays import Integers, Mask, Reals
 from ..files.coordinates import SPOKEN, TWINS, Measured, measured
 from ..files.opened import OpenedFile
-from ..maps.map_file import Axis
+from ..maps.map_file import Axis, PeterkaFile
 from .admitted import NO_REGIME, Admitted
 
 TOUCH = 1e-9  # of a step: rounding
+OF_UNITS = {"Hz": "frequency", "mm": "gap"}  # what drifts in these
+USUAL = {"Hz": 0.5, "mm": 0.1}  # half-widths where none is asked for
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,26 @@ def unit_of(file: OpenedFile, name: str) -> Measured | None:
     if found is None:
         raise file.refusal(f"doesn't say what a {name} of 1 is in {SPOKEN[si][1]}")
     return found
+
+
+def read_drift(file: PeterkaFile, asked: Mapping[str, float | None]) -> tuple[float, float]:
+    """The half-widths (Hz, mm) of the drift that is asked for, {"Hz", "mm": half-width}, or the usual ones for None. Refuses one along what
+    the map doesn't vary, and one so wide that each of its boxes leaves the map."""
+    units = {measure.unit: (axis, measure) for axis in (file.columns, file.rows) if (measure := unit_of(file, axis.name))}
+    widths = {unit: USUAL[unit] if width is None else width for unit, width in asked.items()}
+    for unit, width in widths.items():
+        what = OF_UNITS[unit]
+        if unit not in units:
+            if asked[unit]:
+                raise file.refusal(f"has one and the same {what} in all cells, so that it doesn't tell what a drift of ±{width:g} {unit} does: "
+                                   f"compute a map over the {what}, or leave this drift out")
+            continue
+        axis, own = units[unit]
+        low, high = axis.values[[0, -1]] * own.factor
+        if not reach(file, axis, widths["Hz"], widths["mm"]).inside.any():
+            raise file.refusal(f"has its {what} from {low:.4g} to {high:.4g} {unit}: a drift of ±{width:g} {unit} leaves that from each of its "
+                               f"cells; allow at most ±{(high - low) / 2:.3g} {unit}, or compute a wider map")
+    return widths["Hz"], widths["mm"]
 
 
 def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:

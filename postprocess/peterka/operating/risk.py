@@ -11,9 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..files.coordinates import SPOKEN
 from ..files.regimes import NOT_COMPUTED
 from ..maps.comparison import label_codes, name_of_code
 from ..maps.map_file import PeterkaFile
+from ..maps.rig_numbers import along_axes, deviation_of, values_of
 from ..maps.outcomes import OUTCOMES, Draws, draws_of, probability, quantiles
 from ..sampling import draws_needed, least_share_above
 from .admitted import NO_REGIME, Admitted, Quantity
@@ -75,6 +77,21 @@ def _with_motion(file: PeterkaFile, place: Place, box: tuple[slice, slice]) -> P
 def assured(risk: float, draws: int) -> float:
     """The share of all rigs that reach the value which the file keeps for this probability, at least, in 19 cases of 20."""
     return least_share_above(math.ceil(draws * KEPT[risk] / 100), draws)
+
+
+def strange_offsets(file: PeterkaFile) -> list[str]:
+    """A line for each offset of the place in [uncertainty] that is larger than the largest such place in the map: few errors of a setting are."""
+    lines = []
+    for name, (what, unit, factor) in ((name, SPOKEN[name]) for name in ("frequency_hz", "gap_m")):
+        relative, values = deviation_of(file, name), values_of(file, along_axes(file), name)
+        if relative is None or values is None or not np.isfinite(relative).any():
+            continue
+        largest = float(np.max(values))
+        offset = float(np.nanmin(relative)) * largest
+        if offset > largest:
+            lines.append(f"the offset of the {what} in [uncertainty] has a standard deviation of {offset * factor:.3g} {unit}, and the largest {what} of "
+                         f"the map is {largest * factor:.3g} {unit}: most of the rigs drawn lie far outside it; is its unit right?")
+    return lines
 
 
 def text_of_sampling(file: PeterkaFile, risk: float, draws: Draws) -> str:

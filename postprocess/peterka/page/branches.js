@@ -3,6 +3,7 @@
 
 const NEAR = 24; // px: largest distance from the pointer to the selected mark
 const OUTLINE = "#8A8A8A";
+const JUMP_DASH = [2, 3];
 const MANY_MARKS = 20000;
 
 // The values of a layer as heights of the points.
@@ -125,7 +126,7 @@ class BranchesView extends PlaneView {
       const [before, after] = [points[n - 1], points[n]];
       const jumps = file.jumps.at(file.index(track, direction === "down" ? before.column : after.column)) === 1;
       if (after.column - before.column > 1 || !(jumps || (steady(before) && steady(after)))) continue;
-      pen.setLineDash(jumps ? [2, 3] : []);
+      pen.setLineDash(jumps ? JUMP_DASH : []);
       pen.beginPath();
       for (const point of [before, after]) {
         const place = this.#placeOf(point);

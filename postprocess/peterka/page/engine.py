@@ -6,15 +6,17 @@ import os
 import re
 import shutil
 import subprocess
+import tempfile
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from ..files.coordinates import TWINS, unit_of
 from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
 
+Progress: TypeAlias = Callable[[int, int], None]
 ROOT = Path(__file__).resolve().parents[3]
 SOURCE = ROOT / "src"
 SCRIPT = SOURCE / "page" / "build_wasm.sh"
@@ -39,15 +41,16 @@ def module(cache: Path | None = None) -> bytes:
     return path(cache).read_bytes()
 
 
-def path(cache: Path | None = None) -> Path:
-    """The file of the module: in the cache, or, without sources, where it was installed. Raises NoEngine."""
+def path(cache: Path | None = None, progress: Progress = lambda done, total: None) -> Path:
+    """The file of the module: in the cache, or, without sources, where it was installed; `progress` is called with how many of how many
+    sources are compiled. Raises NoEngine."""
     if not SCRIPT.is_file():
         if installed := _installed():
             return installed
         raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing), nor an engine that was installed with the program")
     built = _cached(cache)
     if not built.is_file():
-        _build(built)
+        _build(built, progress)
     return built
 
 
@@ -78,14 +81,20 @@ def _installed() -> Path | None:
     return None
 
 
-def _build(built: Path) -> None:
-    try:
-        built.parent.mkdir(parents=True, exist_ok=True)
-        outcome = subprocess.run([SCRIPT, built], capture_output=True, text=True, check=False)
-    except OSError as error:
-        raise NoEngine(f"the engine cannot be built: {error}") from error
-    if outcome.returncode != 0:
-        lines = outcome.stderr.strip().splitlines() or ["it says nothing"]
+def _build(built: Path, progress: Progress) -> None:
+    with tempfile.TemporaryFile("w+") as told:
+        try:
+            built.parent.mkdir(parents=True, exist_ok=True)
+            with subprocess.Popen([SCRIPT, built], stdout=subprocess.PIPE, stderr=told, text=True) as script:
+                assert script.stdout is not None
+                total = int(script.stdout.readline() or 0)
+                for done, _ in enumerate(script.stdout, 1):
+                    progress(done, total)
+        except (OSError, ValueError) as error:
+            raise NoEngine(f"the engine cannot be built: {error}") from error
+        told.seek(0)
+        lines = told.read().strip().splitlines() or ["it says nothing"]
+    if script.returncode != 0:
         packages = subprocess.run([SCRIPT.with_name("packages.sh")], capture_output=True, text=True, check=False).stdout
         raise NoEngine(f"the engine cannot be built: {lines[0][:200]}; on Debian: apt-get install {packages.strip()}")
     for old in built.parent.glob("engine-*.wasm"):

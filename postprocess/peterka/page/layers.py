@@ -18,7 +18,7 @@ from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.coordinates import SPOKEN
 from ..files.opened import OpenedFile
 from ..plotting import classes
-from ..maps import elasticity_map
+from ..maps import elasticity_map, signed_map
 from ..maps.map_file import PeterkaFile
 
 from . import planes
@@ -99,7 +99,7 @@ def layer(file: OpenedFile, dataset: str, name: str, values: NDArray[Any], room:
     else:
         plane, packed = _shortened(values, room)
     if dataset in elasticity_map.DATASETS:  # as in their pictures
-        top = elasticity_map.top_of(values)
+        top = signed_map.top_of(values)
         return description | {"title": elasticity_map.words(dataset), "about": "", "unit": "% per %", "diverging": True, "plane": plane,
                               "low": -top, "top": top}, packed
     return description | {"plane": plane} | _span(values), packed

@@ -1,5 +1,8 @@
 // The map on its plane: cells, live cells, the line of the free swing, the cell under the pointer.
 
+const EDGE_LINE = { words: "free swing grazes the stop", colour: "#000000", dash: [6, 4] };
+const STOP_LINE = { words: "stop at the start", colour: "#000000", dash: [2, 2] };
+
 class MapView extends PlaneView {
   constructor(below, above, tell) {
     super(below, above, { x: file.columns, y: file.rows }, tell);
@@ -69,16 +72,21 @@ class MapView extends PlaneView {
     const count = Math.max(Math.round(this.top.area.width), 2);
     const x = (i) => this.view.x[0] + (i / (count - 1)) * (this.view.x[1] - this.view.x[0]);
     const y = (i) => file.rows.place(this.edge(file.columns.value(x(i))));
-    this.top.line(count, x, y, "#FFFFFF", 2.6, [6, 4]);
-    this.top.line(count, x, y, "#000000", 1.2, [6, 4]);
+    this.top.line(count, x, y, "#FFFFFF", 2.6, EDGE_LINE.dash);
+    this.top.line(count, x, y, EDGE_LINE.colour, 1.2, EDGE_LINE.dash);
   }
   // The stop's position at the start, in a basin.
   #drawStop() {
     const gap = this.stop;
     if (!Number.isFinite(gap)) return;
-    for (const [colour, width] of [["#FFFFFF", 2.6], ["#000000", 1.2]]) {
-      this.top.line(2, () => gap, (i) => this.view.y[i], colour, width, [2, 2]);
+    for (const [colour, width] of [["#FFFFFF", 2.6], [STOP_LINE.colour, 1.2]]) {
+      this.top.line(2, () => gap, (i) => this.view.y[i], colour, width, STOP_LINE.dash);
     }
+  }
+  // For a legend: the lines over the cells.
+  get lines() {
+    const lines = [...(this.edge ? [EDGE_LINE] : []), ...(Number.isFinite(this.stop) ? [STOP_LINE] : [])];
+    return lines.map((line) => ({ ...line, colour: "currentColor" })); // visible in both themes
   }
   #frameCell({ row, column }) {
     const pen = this.top.pen;

@@ -32,6 +32,10 @@ class MapPage extends Page {
     element("as-file").addEventListener("click", () => this.#asFile());
     element("live").addEventListener("change", (event) => this.#setLive(event.target.checked));
   }
+  drawLegend() {
+    super.drawLegend();
+    linesInto(element("legend"), this.view.lines);
+  }
   sizeWords() {
     return `${file.rows.values.length.toLocaleString("en")} × ${file.columns.values.length.toLocaleString("en")} cells`;
   }

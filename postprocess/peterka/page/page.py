@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from ..files.opened import OpenedFile
-from ..plotting import classes
+from ..plotting import classes, signed
 from ..plotting.axes import si_scale
 from ..plotting.coordinates import IN_MILLIMETRES, label
-from ..maps import basin_map, elasticity_map, field_map
+from ..maps import basin_map, field_map
 from ..maps.curves_file import CurvesFile
 from ..maps.map_file import Axis, PeterkaFile, axis_of
 from ..sweeps.sweep_file import SweepFile
@@ -50,7 +50,7 @@ def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | N
     if isinstance(file, CurvesFile):
         content["curves"] = edges.edges(file, partial(_keep, blobs))
     content["classes"] = [{"label": entry.label, "colour": entry.colour, "orbit": entry.orbit} for entry in classes.CLASSES]
-    content["viridis"], content["diverging"] = layers.scale("viridis"), layers.scale(elasticity_map.COLOURS)
+    content["viridis"], content["diverging"] = layers.scale("viridis"), layers.scale(signed.COLOURS)
     content["shades"] = [[weight, {"white": 255, "black": 0}[towards]] for weight, towards in basin_map.SHADES]
     content["no_value"] = field_map.NO_VALUE_COLOUR
     content["apart"] = [*field_map.WITHOUT_IMPACTS, "not computed yet"]

@@ -48,8 +48,14 @@ class SweepPage extends Page {
     entriesInto(parent, classEntries(this.#counts()));
     const ways = new Map(content.tracks.map(({ slot, direction, words }) => (slot === null ? [direction, words] : ["known", "an attractor that is known"])));
     marksInto(parent, [...ways]);
+    if (this.layer.samples === 1 && this.#jumpsHere()) linesInto(parent, [{ words: "the force jumps", colour: OUTLINE, dash: JUMP_DASH }]);
   }
 
+  // Whether the force jumps on a branch of the gap shown.
+  #jumpsHere() {
+    return content.tracks.some(({ gap, slot }, track) => gap === this.view.gap && slot === null &&
+      [...file.columns.values.keys()].some((column) => file.jumps.at(file.index(track, column)) === 1));
+  }
   // Points of each class on the branches of the gap shown.
   #counts() {
     const columns = [...file.columns.values.keys()];

@@ -103,7 +103,7 @@ def show_classes(ax: Axes, reduced: Image, colours: Sequence[str | Fill], not_co
     shown = ma.masked_where(reduced.image == not_computed, reduced.image)  # which may not be representable in its type
     rows, columns = reduced.row_edges, reduced.column_edges
     colours = [one.colour for one in fills]
-    if any(one.hatch for one in fills):
+    if any(fills[number].hatch for number in np.unique(shown.compressed())):
         shown, rows, columns, colours = textured(shown, rows, columns, fills, reduced.log)
     ax.pcolormesh(columns, rows, shown, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(colours) - 0.5, rasterized=True)
 

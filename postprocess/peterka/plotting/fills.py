@@ -26,6 +26,8 @@ GREYS = {
     "other p/q": (97, "\\\\"), "chaotic": (8, ""), "sustained contact": (82, ".."), "unresolved": (24, "++"),
     "failed": (97, "xx"), "not computed yet": (100, ""),
 }
+# In the other palette, of colours that are so dark that one can't tell them from chaos or from one another in small areas.
+DARK = {"#22012A": "//", "#391301": "xx", "#0E046E": "\\\\"}
 SECOND = ((24, ""), (97, "//"), (62, "++"), (82, "++"), (24, ".."), (62, "\\\\"), (24, "xx"), (42, "++"))  # of other p/q
 PERIOD, STROKE = 8, 2  # of a hatching, in raster cells: in areas thinner than that it looks like a darker grey
 RASTER = 700  # cells of the raster along a side
@@ -42,8 +44,12 @@ class Fill:
     @property
     def stroke(self) -> str:
         """The colour of the hatching."""
-        own = lightness(self.colour)
-        return grey(own - CONTRAST if own > 50 else own + CONTRAST)
+        return grey(stroke(lightness(self.colour)))
+
+
+def stroke(light: float) -> float:
+    """The lightness of a hatching on a background of this one."""
+    return light - CONTRAST if light > 50 else light + CONTRAST
 
 
 def grey(light: float) -> str:
@@ -70,7 +76,7 @@ def fill(colour: str | Fill) -> Fill:
     if isinstance(colour, Fill):
         return colour
     if not style.is_grey():
-        return Fill(colour)
+        return Fill(colour, DARK.get(colour, ""))
     return _OF_CLASS.get(colour) or Fill(grey(lightness(colour)))
 
 
@@ -87,19 +93,19 @@ def textured(image: Integers, row_edges: Reals, column_edges: Reals, fills: Sequ
 
     `log`: whether rows and columns are spaced in the logarithm. Returns (raster, its row edges, its column edges,
     colours): a class n has the colour n, its hatching the colour len(fills) + n. Masked cells stay masked."""
-    row_edges, rows = _raster(row_edges, log[0])
-    column_edges, columns = _raster(column_edges, log[1])
+    row_edges, rows = raster_of(row_edges, log[0])
+    column_edges, columns = raster_of(column_edges, log[1])
     numbers = image[np.ix_(rows, columns)].astype(np.int16)  # a type that holds twice the number of classes
-    strokes = {hatch: _strokes(hatch, len(rows), len(columns)) for hatch in {one.hatch for one in fills} - {""}}
+    masks = {hatch: strokes(hatch, len(rows), len(columns)) for hatch in {one.hatch for one in fills} - {""}}
     raster = numbers.copy()
     for number, one in enumerate(fills):
         if one.hatch:
-            raster[(numbers == number) & strokes[one.hatch]] = len(fills) + number
+            raster[(numbers == number) & masks[one.hatch]] = len(fills) + number
     return raster, row_edges, column_edges, [one.colour for one in fills] + [one.stroke for one in fills]
 
 
-def _raster(edges: Reals, log: bool) -> tuple[Reals, Integers]:
-    """(edges of the raster, index of the cell under each of its cells)"""
+def raster_of(edges: Reals, log: bool) -> tuple[Reals, Integers]:
+    """(edges of the raster, index of the cell under each of its cells), of cells with these edges."""
     cells = len(edges) - 1
     count = cells * -(-RASTER // cells)
     fine: Reals = np.geomspace(edges[0], edges[-1], count + 1) if log else np.linspace(edges[0], edges[-1], count + 1)
@@ -108,7 +114,7 @@ def _raster(edges: Reals, log: bool) -> tuple[Reals, Integers]:
     return fine, np.clip(np.searchsorted(edges, middles) - 1, 0, len(edges) - 2)
 
 
-def _strokes(hatch: str, rows: int, columns: int) -> Mask:
+def strokes(hatch: str, rows: int, columns: int) -> Mask:
     """Mask (rows, columns) of a hatching's lines or dots; rows are counted upwards."""
     row, column = np.ogrid[:rows, :columns]
     row, column = row * RASTER / rows, column * RASTER / columns

@@ -18,6 +18,7 @@ from .fills import Fill, fill
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
 LETTERS = 8  # pt, of a legend
+BAR_MARGIN = 0.3  # in, at both sides of a colour bar's label together
 KEY_GAP, SPACE, MARGIN = 0.06, 0.14, 0.1  # in: after the key of an entry, between columns, around all entries
 PATCH, LINE = 1.4, 2.0  # length of a key over the font size
 
@@ -85,6 +86,14 @@ def columns_that_fit(handles: Sequence[Artist], most: int, width: float, key: fl
         if sum(taken) + SPACE * (len(taken) - 1) <= width - MARGIN:
             return columns
     return 1
+
+
+def label_of_bar(label: str, more: str, joint: str, width: float) -> str:
+    """The label of a colour bar in a figure of this own `width` [in]: with more words after a joint, or in a second line where one has no
+    room for them."""
+    whole = f"{label}{joint}{more}"
+    fits = text_width(whole, LETTERS, has_mathematics=True) < width_of(width) - BAR_MARGIN
+    return whole if fits or not more else f"{label}\n{more}"
 
 
 def text_width(text: str, size: float, has_mathematics: bool = False) -> float:

@@ -4,8 +4,9 @@ otherwise farther away, with a line to its point. Without any free space it is o
 A label of one of several points never goes far: it stays nearer to its own point than to any other. Nor does that of a box,
 which it never covers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,12 +20,13 @@ from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
+HALO = 1.6  # pt, of a letter: wider ones hide what a note lies over
 NEAR = (5, 9, 14, 20)  # pt: of a label from its point; with a line beyond LINED, from a box beyond LINED_BOX
 LINED, LINED_BOX = 9, 4
 CLEAR = 5  # pt: by which the label of a box without a line to it is nearer to that box than to any other
 BESIDE = (3, *NEAR, 28, 38, 50, 65)  # pt: of the label of several marks that share one
 ROUND = [(across, up) for across in (1, -1, 0) for up in (0, 1, -1) if (across, up) != (0, 0)]
-AIR = 2  # pixels
+AIR, ROUNDING = 2, 1e-6  # pixels
 APART, LETTER_APART = 5, 1.2  # pt: at least, between a line's name or the letters of marks and any other text or mark
 FRAME = 0.5  # of the font size
 TURNS = 24  # directions in which a place around a box is sought
@@ -40,7 +42,7 @@ def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
     sides = [(right, above), (right, -above), (-right, above), (-right, -above)]
     taken = _taken(ax, seen.boxes(ax))
     note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points",
-                       path_effects=outline(2.4), zorder=7)
+                       path_effects=outline(HALO), zorder=7)
     for right, above in sides:
         note.set(position=(AWAY * right, AWAY * above), ha="left" if right > 0 else "right",
                  va="bottom" if above > 0 else "top")
@@ -59,7 +61,7 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     taken = _taken(ax, marks)
     others = (marks[:, :2] + marks[:, 2:]) / 2
     others = others[np.linalg.norm(others - own, axis=1) > AIR]
-    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(2), zorder=8)
+    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(HALO), zorder=8)
     for letters in sorted({size, 6.5, 5}, reverse=True):
         note.set_fontsize(min(letters, size))
         box = _box(note)
@@ -108,18 +110,22 @@ def write_at_group(ax: Axes, points: Reals, text: str, size: float, lines: Reals
     return False
 
 
-def write_on(ax: Axes, way: Reals, text: str, size: float, colour: str) -> bool:
-    """Writes the name of a line, (n, 2) [pixels], on it, as near to its middle as it meets no other text and no mark. Returns whether
-    it fits."""
+def write_on(ax: Axes, way: Reals, text: str, sizes: Sequence[float], others: Reals, look: Mapping[str, Any]) -> bool:
+    """Writes the name of a line, (n, 2) [pixels], on it, as near to its middle as it meets no other text, no mark and none of the `others`,
+    points of other lines, (m, 2) [pixels], so that it can't be taken for theirs; smaller where it has to. `look`: properties of the text.
+    Returns whether it fits."""
     pixels, taken = ax.get_figure().dpi / 72, _taken(ax, seen.boxes(ax))
-    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, ha="left", va="bottom", color=colour, path_effects=outline(1.6))
-    box = np.array([_box(note).width, _box(note).height])
+    note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom")
     inside = way[np.all((way > ax.bbox.min) & (way < ax.bbox.max), axis=1)]
-    for at in sorted(range(len(inside)), key=lambda at: abs(at - len(inside) // 2)):
-        low = inside[at] - box / 2
-        if _fits(Bbox([low, low + box]).padded(pixels * APART), ax, taken):
-            note.set_position(ax.transAxes.inverted().transform(low))
-            return True
+    for size in sizes:
+        note.set_fontsize(size)
+        box = np.array([_box(note).width, _box(note).height])
+        for at in sorted(range(len(inside)), key=lambda at: abs(at - len(inside) // 2)):
+            low = inside[at] - box / 2
+            place = Bbox([low, low + box])
+            if _fits(place.padded(pixels * APART), ax, taken) and not _meets(others, place):
+                note.set(position=ax.transAxes.inverted().transform(low), **look)
+                return True
     note.remove()
     return False
 
@@ -130,7 +136,7 @@ def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 
     `nearest`: not nearer than so many pt. Returns whether it fits."""
     pixels = ax.get_figure().dpi / 72
     texts, lines = _taken(ax, np.array([box.extents])), _lines_to_marks(ax)
-    note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(2.4), zorder=7)
+    note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(HALO), zorder=7)
     marks = np.array([mark for mark in seen.boxes(ax) if not np.allclose(mark, box.extents, atol=AIR)]).reshape(-1, 4)
     for taken in (np.concatenate([texts, marks]), texts):
         for letters in sizes:
@@ -205,7 +211,7 @@ def _fits(box: Bbox, ax: Axes, taken: Reals) -> bool:
 def _is_nearest(box: Bbox, own: Reals, others: Reals) -> bool:
     """Whether a box is nearer to its own point, or to one of them, than to any other."""
     away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (np.atleast_2d(own), others)]
-    return bool(min(away[0]) < min(away[1], default=np.inf))
+    return bool(min(away[0]) < min(away[1], default=np.inf) - ROUNDING)
 
 
 def _draw_line(ax: Axes, own: Reals, box: Bbox) -> None:
@@ -217,7 +223,7 @@ def _draw_line(ax: Axes, own: Reals, box: Bbox) -> None:
 
 def _write_apart(ax: Axes, x: float, y: float, text: str, taken: Reals) -> None:
     note = ax.annotate(text, (x, y), xycoords="data", xytext=(0, 0), textcoords="axes fraction",
-                       path_effects=outline(2.4), zorder=7,
+                       path_effects=outline(HALO), zorder=7,
                        arrowprops={"arrowstyle": "-", "linewidth": 0.6})
     for size, places in ((8, PLACES), (6.5, PLACES), (5, PLACES), (5, MORE_PLACES)):
         note.set(fontsize=size)
