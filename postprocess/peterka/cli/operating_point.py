@@ -92,7 +92,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         less = "a share of the starts (--starts share 0.9)" if starts == ANY else "fewer starts"
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
                            f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}"
-                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift{f', or {less}' if starts != JOB else ''}")
+                           f"{f', where {boxes}' if boxes else ''}{free}{words.wide_drift_in_words(rows, columns)}; allow less drift{f', or {less}' if starts != JOB else ''}")
     tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
          f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
     if boxes:
@@ -130,7 +130,7 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if not places:
         regimes = f" in {','.join(arguments.regime)}" if arguments.regime else ""
         raise file.refusal(f"has no place at which the hammer impacts{regimes} with a probability of {arguments.risk:g} at a {drift}"
-                           f"{f', where {boxes}' if boxes else ''}; allow less drift, or ask for a smaller probability")
+                           f"{f', where {boxes}' if boxes else ''}{words.wide_drift_in_words(rows, columns)}; allow less drift, or ask for a smaller probability")
     tell(f"{file.title}\n{quantity.title}, {drift}: above 0 in the boxes of {100 * float(np.mean(worst > 0)):.3g} % of the cells")
     if boxes:
         tell(f"  {apart}: {boxes}")

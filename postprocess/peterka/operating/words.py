@@ -34,6 +34,13 @@ def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:
     return "drift " + (", ".join(words) or "none")
 
 
+def wide_drift_in_words(rows: Reach, columns: Reach) -> str:
+    """That a drift is wider than the map, and in what units it is asked for; empty where it is not."""
+    if rows.inside.any() and columns.inside.any():
+        return ""
+    return "; the drift reaches beyond the map wherever it is (--hz is in hertz, --mm in millimetres)"
+
+
 def boxes_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> tuple[str, str]:
     """How far the map's cells lie apart, and how far boxes reach to either side; empty where that is as far as the drift."""
     apart, reaching, wider = [], [], False
