@@ -106,7 +106,7 @@ def test_the_engine_is_built_anew_where_a_file_that_it_is_made_of_changed(tmp_pa
     monkeypatch.setattr(engine, "SOURCE", source)
     monkeypatch.setattr(engine, "SCRIPT", source / "page" / "build_wasm.sh")
     (cache := tmp_path / "cache").mkdir()
-    monkeypatch.setattr(engine, "_build", lambda built: built.write_bytes(b"engine"))
+    monkeypatch.setattr(engine, "_build", lambda built, compiled: built.write_bytes(b"engine"))
     engine.module(cache)
     with open(source / changed, "a") as file:
         file.write("\n")

@@ -15,6 +15,7 @@ Exit codes: 0 done; 2 a file cannot be shown, or bad arguments; 3 the page canno
 """
 
 import argparse
+import sys
 from pathlib import Path
 
 from ..errors import PeterkaFileError
@@ -46,7 +47,7 @@ def _explore() -> int:
             shown = explorable(file, arguments.every)
             if is_to_be_built():
                 complain("building the page's engine, about a minute, once")
-            text, notes = page(shown, arguments.every, arguments.layers)
+            text, notes = page(shown, arguments.every, arguments.layers, tell_compiled)
     except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
@@ -59,6 +60,12 @@ def _explore() -> int:
         return BAD_OUTPUT
     tell(output)
     return DONE
+
+
+def tell_compiled(done: int, files: int) -> None:
+    """In one line of a terminal, how far the engine is built."""
+    if sys.stderr.isatty():
+        print(f"\r  {done} of {files} files compiled", end="\n" if done == files else "", file=sys.stderr, flush=True)
 
 
 def read_arguments() -> argparse.Namespace:

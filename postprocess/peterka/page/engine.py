@@ -6,14 +6,17 @@ import os
 import re
 import shutil
 import subprocess
+import tempfile
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 from ..files.coordinates import TWINS, unit_of
 from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
+
+Compiled = Callable[[int, int], None]  # told how many of how many files are compiled
 
 ROOT = Path(__file__).resolve().parents[3]
 SOURCE = ROOT / "src"
@@ -34,12 +37,12 @@ class NoEngine(Exception):
     """The page has no engine; the message gives the reason and the remedy."""
 
 
-def module(cache: Path | None = None) -> bytes:
+def module(cache: Path | None = None, compiled: Compiled = lambda done, files: None) -> bytes:
     """The bytes of the module, built into the cache (default: build/page beside src) if it is not there. Raises NoEngine."""
-    return path(cache).read_bytes()
+    return path(cache, compiled).read_bytes()
 
 
-def path(cache: Path | None = None) -> Path:
+def path(cache: Path | None = None, compiled: Compiled = lambda done, files: None) -> Path:
     """The file of the module: in the cache, or, without sources, where it was installed. Raises NoEngine."""
     if not SCRIPT.is_file():
         if installed := _installed():
@@ -47,7 +50,7 @@ def path(cache: Path | None = None) -> Path:
         raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing), nor an engine that was installed with the program")
     built = _cached(cache)
     if not built.is_file():
-        _build(built)
+        _build(built, compiled)
     return built
 
 
@@ -78,19 +81,33 @@ def _installed() -> Path | None:
     return None
 
 
-def _build(built: Path) -> None:
+def _build(built: Path, compiled: Compiled) -> None:
     try:
         built.parent.mkdir(parents=True, exist_ok=True)
-        outcome = subprocess.run([SCRIPT, built], capture_output=True, text=True, check=False)
+        with (tempfile.TemporaryFile("w+") as complaints,
+              subprocess.Popen([SCRIPT, built], stdout=subprocess.PIPE, stderr=complaints, text=True) as script):
+            _tell_each_file(script, compiled)
+            code = script.wait()
+            complaints.seek(0)
+            said = complaints.read()
     except OSError as error:
         raise NoEngine(f"the engine cannot be built: {error}") from error
-    if outcome.returncode != 0:
-        lines = outcome.stderr.strip().splitlines() or ["it says nothing"]
+    if code != 0:
+        lines = said.strip().splitlines() or ["it says nothing"]
         packages = subprocess.run([SCRIPT.with_name("packages.sh")], capture_output=True, text=True, check=False).stdout
         raise NoEngine(f"the engine cannot be built: {lines[0][:200]}; on Debian: apt-get install {packages.strip()}")
     for old in built.parent.glob("engine-*.wasm"):
         if old != built:
             old.unlink(missing_ok=True)
+
+
+def _tell_each_file(script: "subprocess.Popen[str]", compiled: Compiled) -> None:
+    """Of the lines that the build script prints: the number of files, then each file that is compiled."""
+    lines = iter(script.stdout or ())
+    files = next(lines, "").strip()
+    for done, _ in enumerate(lines, 1):
+        if files.isdigit():
+            compiled(done, int(files))
 
 
 def _fingerprint() -> str:

@@ -21,7 +21,7 @@ from ..maps.map_file import Axis, PeterkaFile, axis_of
 from ..sweeps.sweep_file import SweepFile
 
 from . import edges, layers, tracks
-from .engine import NoEngine, cell_numbers, module, numbers_of_axis, version
+from .engine import Compiled, NoEngine, cell_numbers, module, numbers_of_axis, version
 
 FOLDER = Path(__file__).resolve().parent
 # in this order, in one scope; those of WORKER again in a scope of their own
@@ -40,9 +40,10 @@ AXES = {
 }
 
 
-def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
+def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | None = None,
+         compiled: Compiled = lambda done, files: None) -> tuple[str, list[str]]:
     """(text of the page, sentences for the user) of an open file. `every`: stride in rows and columns of its cells; `asked`:
-    the layers requested; by default those that fit."""
+    the layers requested; by default those that fit; `compiled`: told of each file of an engine that is built for it."""
     blobs: list[str] = []
     notes: list[str] = []
     content = _header(file, every)
@@ -55,7 +56,7 @@ def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | N
     content["no_value"] = field_map.NO_VALUE_COLOUR
     content["apart"] = [*field_map.WITHOUT_IMPACTS, "not computed yet"]
     parts: list[tuple[str, Callable[[], object]]] = [
-        ("cell", lambda: cell_numbers(file)), ("engine", lambda: _keep(blobs, zlib.compress(module(), 9)))]
+        ("cell", lambda: cell_numbers(file)), ("engine", lambda: _keep(blobs, zlib.compress(module(compiled=compiled), 9)))]
     for key, find in parts:
         try:
             content[key] = find()
