@@ -84,6 +84,7 @@ PICTURES = [
     Row("probability_{asked}", ("map",), uncertain_map.draw_probability, lambda file: file.outcome_slots > 0, ("probability",)),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
     Row("proved", PLANES, proved_map.draw, lambda file: file.has_proofs),
+    Row("proved_attractors", ("map",), proved_map.draw_attractors, lambda file: file.has_slot_proofs),
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
     Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),

@@ -84,7 +84,8 @@ CellAttractor without_share(const regime::CellResult& result) {
             .period = result.period,
             .peak_force = result.peak_force,
             .orbit_displacement = result.orbit_displacement,
-            .orbit_velocity = result.orbit_velocity};
+            .orbit_velocity = result.orbit_velocity,
+            .certified = cell::Certified::not_tried};
 }
 
 }  // namespace peterka::attractors

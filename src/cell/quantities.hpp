@@ -108,6 +108,8 @@ enum class StoredWhen {
     of_rigid_stops,
     of_certificates,
     of_certificates_of_rigid_stops,
+    of_certified_attractors,
+    of_certified_attractors_of_rigid_stops,
     of_uncertain_rigs,
     of_uncertain_rigs_with_forces,
     of_uncertain_rigs_on_rigid_stops,
@@ -221,6 +223,9 @@ inline constexpr StorageRule of_many_starts{StoredWhen::of_many_starts};
 inline constexpr StorageRule of_rigid_stops{StoredWhen::of_rigid_stops};
 inline constexpr StorageRule of_certificates{StoredWhen::of_certificates};
 inline constexpr StorageRule of_certificates_of_rigid_stops{StoredWhen::of_certificates_of_rigid_stops};
+inline constexpr StorageRule of_their_attractors{StoredWhen::of_certified_attractors};
+inline constexpr StorageRule of_their_attractors_on_rigid_stops{
+    StoredWhen::of_certified_attractors_of_rigid_stops};
 inline constexpr StorageRule of_uncertain_rigs{StoredWhen::of_uncertain_rigs};
 inline constexpr StorageRule of_their_forces{StoredWhen::of_uncertain_rigs_with_forces};
 inline constexpr StorageRule of_their_speeds{StoredWhen::of_uncertain_rigs_on_rigid_stops};
@@ -252,6 +257,17 @@ inline constexpr const char* kick_lower_words =
     "a verified lower bound of the critical kick: up to this size they lead back; NaN where none is known";
 inline constexpr const char* kick_direction_words =
     "whether the critical kick is towards the stop (1) or away from it (-1); 0 where there is none";
+
+inline constexpr const char* force_lower_words =
+    "proved lower bound of the peak impact force over hammer weight, F/(m g0)";
+inline constexpr const char* force_upper_words =
+    "proved upper bound of the peak impact force over hammer weight, F/(m g0)";
+inline constexpr const char* speed_lower_words =
+    "proved lower bound of the largest speed of the hammer against the rigid stop";
+inline constexpr const char* speed_upper_words =
+    "proved upper bound of the largest speed of the hammer against the rigid stop";
+inline constexpr const char* margin_words =
+    "proved lower bound of min(1 - |det M|, 1 + det M - |tr M|), M being the orbit's monodromy matrix";
 
 inline constexpr const char* force_words =
     "relative change of the orbit's peak impact force [N] per relative change of this number of the job";
@@ -313,11 +329,11 @@ inline constexpr Quantity rows[] = {
     {"speed_elasticity_cart_amplitude_m", elasticity<8>, number, speed_words, speed_by(OptionalField::speed_by_cart_amplitude_m, "cart.amplitude_m"), interpolated, usual, {}, {}, 3},
     {"speed_elasticity_contact_coefficient", elasticity<11>, number, speed_words, speed_by(OptionalField::speed_by_contact_coefficient, "contact.coefficient"), interpolated, usual, {}, {}, 3},
     {"certified", member([](auto& cell) -> auto& { return cell.certified; }), label, "what of the cell is proved in interval arithmetic, or why nothing is (negative)", of_certificates, never, usual, {}, certified_names, 3, first_certified},
-    {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, "proved lower bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
-    {"peak_force_upper_ratio", member([](auto& cell) -> auto& { return cell.force_upper; }), number, "proved upper bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
-    {"impact_speed_lower", member([](auto& cell) -> auto& { return cell.impact_speed_lower; }), speed_of_file, "proved lower bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
-    {"impact_speed_upper", member([](auto& cell) -> auto& { return cell.impact_speed_upper; }), speed_of_file, "proved upper bound of the largest speed of the hammer against the rigid stop", of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
-    {"stability_margin", member([](auto& cell) -> auto& { return cell.stability_margin; }), number, "proved lower bound of min(1 - |det M|, 1 + det M - |tr M|), M being the orbit's monodromy matrix", of_certificates, never, usual, {}, {}, 3},
+    {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, force_lower_words, of_certificates, never, usual, {}, {}, 3},
+    {"peak_force_upper_ratio", member([](auto& cell) -> auto& { return cell.force_upper; }), number, force_upper_words, of_certificates, never, usual, {}, {}, 3},
+    {"impact_speed_lower", member([](auto& cell) -> auto& { return cell.impact_speed_lower; }), speed_of_file, speed_lower_words, of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
+    {"impact_speed_upper", member([](auto& cell) -> auto& { return cell.impact_speed_upper; }), speed_of_file, speed_upper_words, of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
+    {"stability_margin", member([](auto& cell) -> auto& { return cell.stability_margin; }), number, margin_words, of_certificates, never, usual, {}, {}, 3},
     {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
     {"outcomes", member([](auto& cell) -> auto& { return cell.outcomes; }), number, "different outcomes of the rigs drawn for the cell", of_uncertain_rigs},
@@ -347,6 +363,12 @@ inline constexpr AttractorQuantity attractor_rows[] = {
     {"critical_kick_direction", of_attractor([](auto& attractor) -> auto& { return attractor.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
     {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", always, never, usual, {}, {}, 3},
     {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", always, never, usual, {}, {}, 3},
+    {"attractor_certified", of_attractor([](auto& attractor) -> auto& { return attractor.certified; }), label, "what of the attractor is proved in interval arithmetic, or why nothing is (negative)", of_their_attractors, never, usual, {}, certified_names, 3, first_certified},
+    {"attractor_peak_force_lower_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.force_lower; }), number, force_lower_words, of_their_attractors, never, usual, {}, {}, 3},
+    {"attractor_peak_force_upper_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.force_upper; }), number, force_upper_words, of_their_attractors, never, usual, {}, {}, 3},
+    {"attractor_impact_speed_lower", of_attractor([](auto& attractor) -> auto& { return attractor.impact_speed_lower; }), speed_of_file, speed_lower_words, of_their_attractors_on_rigid_stops, never, usual, {}, {}, 3},
+    {"attractor_impact_speed_upper", of_attractor([](auto& attractor) -> auto& { return attractor.impact_speed_upper; }), speed_of_file, speed_upper_words, of_their_attractors_on_rigid_stops, never, usual, {}, {}, 3},
+    {"attractor_stability_margin", of_attractor([](auto& attractor) -> auto& { return attractor.stability_margin; }), number, margin_words, of_their_attractors, never, usual, {}, {}, 3},
 };
 
 // A probability is filled by the rule of shares (refine/fill_attractors.cpp).

@@ -123,6 +123,13 @@ struct Attractor {
     Kick kick = {};
     double orbit_displacement = unknown;  // as in a cell's result
     double orbit_velocity = unknown;
+    // On request: what is proved about it, in the units of a cell's result; no value in empty or filled slots.
+    Certified certified = static_cast<Certified>(regime_not_computed);
+    double force_lower = unknown;
+    double force_upper = unknown;
+    double impact_speed_lower = unknown;
+    double impact_speed_upper = unknown;
+    double stability_margin = unknown;
 };
 
 // What some of the rigs drawn for a cell end in; the same in both types.

@@ -149,7 +149,9 @@ std::string in_words(const scene::Scene& scene, const CurveSearchResult& found) 
     const std::string title = job.title.empty() ? "(no title)" : job.title;
     if (found.curves.empty()) {
         return fmt::format(
-            "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and q up to {}, "
+            "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and a period of "
+            "up to {} cycles "
+            "(curves.max_period), "
             "and no stable motion without impacts ends within the window\n",
             title, found.periodic_cells, readable_count(scene.rows() * scene.columns()), job.curves.max_period);
     }

@@ -47,6 +47,8 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
         ++counts.dying;
         counts.shortest.take({each.mean_life, each.mean_life_error, place.row, place.column});
     }
+    // a rigid stop's attractors have no computed peak to compare
+    for (const StoredAttractor& each : all) counts.proofs.add(each, each.peak_force);
     add_kick(counts.kicks, all);
     if (here.size() < 2) return;
     const AttractorLabel first = label_of(here[0]);
@@ -69,6 +71,7 @@ void StartCounts::add(const StartCounts& other) {
     dying += other.dying;
     shortest.take(other.shortest);
     kicks.add(other.kicks);
+    proofs.add(other.proofs);
 }
 
 void add_attractors(StartFindings& findings, const parallel::Tile& tile,

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "findings/kick_counts.hpp"
+#include "findings/proof_findings.hpp"
 #include "parallel/tiles.hpp"
 #include "quantities/fields.hpp"
 
@@ -41,7 +42,8 @@ struct StartCounts {
     std::int64_t left_over = 0;   // cells with more attractors than are stored
     std::int64_t dying = 0;       // cells with chaos from which starts were seen to escape
     ShortestLife shortest;
-    KickCounts kicks;  // also without [starts]
+    KickCounts kicks;      // also without [starts]
+    ProofFindings proofs;  // of the attractors
 
     void add(const StartCounts& other);
 };

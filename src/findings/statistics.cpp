@@ -28,16 +28,6 @@ void count(std::array<std::int64_t, size>& counts, std::int8_t value) {
     if (index < size) ++counts[index];
 }
 
-ProvedPeak proved_peak(const quantities::StoredCell& cell) {
-    if (cell.certified <= cell::Certified::not_tried) return {};
-    const bool rigid = !std::isnan(cell.impact_speed_upper);
-    const double lower = rigid ? cell.impact_speed_lower : cell.force_lower;
-    const double upper = rigid ? cell.impact_speed_upper : cell.force_upper;
-    const double computed = rigid ? cell.impact_speed : cell.peak_force;
-    const double outside = std::max({0.0, lower - computed, computed - upper});
-    return {lower, upper, outside > 0 ? outside / upper : 0};
-}
-
 void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::int64_t row,
               std::int64_t column) {
     PETERKA_EXPECT(cell.regime != cell::Regime{cell::regime_not_computed} && row >= 0 && column >= 0);
@@ -47,9 +37,7 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     counts.cycles += cell.cycles;
     count(counts.by_regime, static_cast<std::int8_t>(cell.regime));
     count(counts.by_engine, static_cast<std::int8_t>(cell.engine));
-    count(counts.by_certificate,
-          static_cast<std::int8_t>(static_cast<int>(cell.certified) - cell::first_certified));
-    statistics.proved.take(proved_peak(cell));
+    statistics.proofs.add(cell, std::isnan(cell.impact_speed_upper) ? cell.peak_force : cell.impact_speed);
     if (cell.regime == Regime::unresolved)
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.status == regime::Status::chaotic_so_far && cell.computed)
@@ -94,12 +82,6 @@ void Extremes::take(const Extremes& other) {
     one_to_one.take(other.one_to_one);
 }
 
-void ProvedPeak::take(const ProvedPeak& other) {
-    lower = std::max(lower, other.lower);
-    upper = std::max(upper, other.upper);
-    furthest_outside = std::max(furthest_outside, other.furthest_outside);
-}
-
 void Observed::take(const Observed& other) {
     fewest = std::min(fewest, other.fewest);
     most = std::max(most, other.most);
@@ -117,7 +99,6 @@ void Counts::add(const Counts& other) {
     add_each(failed_by_status, other.failed_by_status);
     add_each(open_by_status, other.open_by_status);
     add_each(by_engine, other.by_engine);
-    add_each(by_certificate, other.by_certificate);
     cells += other.cells;
     filled += other.filled;
     cycles += other.cycles;

@@ -14,6 +14,7 @@
 
 #include "findings/elasticity_findings.hpp"
 #include "findings/outcome_findings.hpp"
+#include "findings/proof_findings.hpp"
 #include "findings/start_findings.hpp"
 #include "findings/transients.hpp"
 #include "parallel/tiles.hpp"
@@ -40,7 +41,6 @@ struct ImpactClass {
 
 struct Counts {
     std::array<std::int64_t, cell::regime_names.size()> by_regime{};
-    std::array<std::int64_t, cell::certified_names.size()> by_certificate{};  // in the order of their names
     std::array<std::int64_t, cell::status_names.size()> unresolved_by_status{};
     std::array<std::int64_t, cell::status_names.size()> failed_by_status{};
     std::array<std::int64_t, cell::status_names.size()> open_by_status{};  // cases that proofs leave open
@@ -78,19 +78,9 @@ struct LongestChaos {
     void take(const LongestChaos& other);
 };
 
-// Bounds on the largest peak force of the cells with a certificate, F/(m g0), or of a rigid stop on the largest
-// impact speed [m/s], and the largest relative amount by which a computed one lies outside its own bounds.
-struct ProvedPeak {
-    double lower = -std::numeric_limits<double>::infinity();
-    double upper = -std::numeric_limits<double>::infinity();
-    double furthest_outside = 0;
-
-    void take(const ProvedPeak& other);
-};
-
 struct Statistics {
     Counts counts;
-    ProvedPeak proved;
+    ProofFindings proofs;  // of the cells themselves; those of their attractors are among the starts'
     Observed chaos;
     LongestChaos longest;
     Extremes largest;

@@ -6,6 +6,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -27,9 +28,16 @@ struct Location {
     }
 };
 
+// A table under a wrong name, by paths of the same depth: [uncertainty.contcat] for [uncertainty.contact].
+struct MisspeltTable {
+    std::string written;
+    std::string meant;
+};
+
 struct Fault {
     Location where;
     std::string text;  // what; why; what to do
+    std::optional<MisspeltTable> misspelt = {};
 };
 
 class JobFaults : public Failure {

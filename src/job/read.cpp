@@ -6,6 +6,7 @@
 #include "job/covariance_file.hpp"
 #include "job/document.hpp"
 #include "job/job_source.hpp"
+#include "job/misspelt_tables.hpp"
 #include "job/overrides.hpp"
 #include "job/rig_files.hpp"
 #include "job/schema.hpp"
@@ -40,6 +41,31 @@ bool has_no_other_file(const Value& document, std::vector<Fault>& faults) {
     return false;
 }
 
+Job read_once(const Value& document, std::vector<Fault>& faults) {
+    Job job;
+    TableReader reader(document, "", faults);
+    describe(reader, job);
+    reader.finish();
+    return job;
+}
+
+// With tables that are misspelt read once more under the names that are meant: what is wrong inside is told,
+// too, and none of them is missing.
+Job read_tables(Value document, std::vector<Fault>& faults) {
+    const std::vector<Fault> of_files = std::exchange(faults, {});
+    Job job = read_once(document, faults);
+    std::vector<Fault> of_names;
+    for (std::vector<Fault> renamed = rename_misspelt_tables(document, faults); !renamed.empty();
+         renamed = rename_misspelt_tables(document, faults)) {
+        of_names.insert(of_names.end(), renamed.begin(), renamed.end());
+        faults.clear();
+        job = read_once(document, faults);
+    }
+    faults.insert(faults.begin(), of_files.begin(), of_files.end());
+    faults.insert(faults.end(), of_names.begin(), of_names.end());
+    return job;
+}
+
 JobWithOrigins read(std::string_view text, const std::string& name, std::span<const std::string> overrides,
                     OtherFiles others) {
     refuse_what_is_no_text(text, name);
@@ -50,11 +76,8 @@ JobWithOrigins read(std::string_view text, const std::string& name, std::span<co
     const bool are_whole = others == OtherFiles::followed ? bring_in_files(document, name, files, faults)
                                                           : has_no_other_file(document, faults);
     Job job;
-    if (are_whole) {  // else numbers that these files give would be reported missing
-        TableReader reader(document, "", faults);
-        describe(reader, job);
-        reader.finish();
-    }
+    // else numbers that these files give would be reported missing
+    if (are_whole) job = read_tables(document, faults);
     if (!faults.empty()) throw JobFaults(files, faults);
     return {job, origins_of(document, files)};
 }

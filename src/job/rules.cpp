@@ -128,6 +128,19 @@ std::string rule_of_kick(const Job& job) {
                                      "theirs; take a map of this operating point, or remove the field";
 }
 
+std::string rule_of_proved_attractors(const Job& job) {
+    if (!job.certificate.attractors) return {};
+    if (job.kind != Kind::map || job.starts.count == 0) {
+        return fmt::format(
+            "certificate.attractors = true, and this {} has no cells with many starts; attractors are found by "
+            "the [starts] of a map; {}or remove this key",
+            name(job.kind), job.kind == Kind::map ? "set starts.count, " : "take a map of the same rig, ");
+    }
+    if (job.certificate.cells > 0) return {};
+    return "certificate.attractors = true, and certificate.cells = 0; no cell is tried, and so none of its "
+           "attractors; set certificate.cells, such as \"all\", or remove this key";
+}
+
 std::string rule_of_elasticities(const Job& job) {
     for (const cell::Quantity& quantity : cell::quantities) {
         const cell::StorageRule& keeping = quantity.keeping;

@@ -9,7 +9,7 @@
 #include "job/axis_key.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/cell_numbers.hpp"
-#include "job/nearest.hpp"
+#include "job/meant.hpp"
 #include "job/rig_draws.hpp"
 #include "job/rules.hpp"
 #include "job/settle.hpp"
@@ -57,10 +57,9 @@ std::string rule_of_name(const std::string& name, ContactLaw law) {
     const AxisQuantity* other = find_quantity(name);
     if (other != nullptr && other->law && *other->law != law)
         return fmt::format("{}, which {}", what, reason_for_other_law(*other->law));
-    const std::string_view meant = nearest(name, {keys.begin(), keys.end()});
+    const Meant meant = meant_by(name, {keys.begin(), keys.end()});
     return fmt::format("{}; no number of a rig or of its place has that name; {}", what,
-                       meant.empty() ? fmt::format("choose from {}", fmt::join(keys, ", "))
-                                     : fmt::format("did you mean {}?", meant));
+                       meant.found() ? meant.question() : fmt::format("choose from {}", fmt::join(keys, ", ")));
 }
 
 std::string rule_of_twice(const std::vector<std::string>& keys) {

@@ -44,16 +44,17 @@ void describe_borders(Walker& file, Job& job) {
 
 template <typename Walker>
 void describe_certificate_of_curves(Walker& file, Job& job) {
-    file.table({.name = "certificate",
-                .meaning = "proof in interval arithmetic of where curves have the gaps of [curves]",
-                .is_written = job.certificate.cells > 0},
-               [&](auto& table) {
-                   table.count_or_all({"cells", "\"all\", or any number: each such place is tried; 0 for none"},
-                                      job.certificate.cells,
-                                      from_to<std::int64_t>(0, every_cell, "it counts cells"));
-                   table.refuse("starts",
-                                "is for maps, basins and sweeps; curves are about no start; remove this key");
-               });
+    file.table(
+        {.name = "certificate",
+         .meaning = "proof in interval arithmetic of where curves have the gaps of [curves]",
+         .is_written = job.certificate.cells > 0},
+        [&](auto& table) {
+            table.count_or_all({"cells", "\"all\", or any number: each such place is tried; 0 for none"},
+                               job.certificate.cells, from_to<std::int64_t>(0, every_cell, "it counts cells"));
+            table.refuse("starts",
+                         "is for maps, basins and sweeps; curves are about no start; remove this key");
+            table.refuse("attractors", "is for maps with [starts]; curves are about none; remove this key");
+        });
     file.rule({"certificate", "curves"}, [&] { return rule_of_proved_crossings(job); });
 }
 

@@ -56,7 +56,8 @@ template <typename Walker>
 void describe(Walker& table, Restitution& stop) {
     table.number(
         {"coefficient", "coefficient of restitution r, speed after over speed before an impact [1]", "0.6"},
-        stop.coefficient, from_to(0.0, 1.0, "a rigid stop takes energy and gives none"));
+        stop.coefficient,
+        from_to(0.0, 1.0, "a rigid stop takes energy and gives none, and r is a share, not a percentage"));
 }
 
 template <typename Walker>

@@ -58,6 +58,10 @@ void describe(Walker& table, Certificate& certificate) {
                 .meaning = "true: also that the start leads there, through all its impacts",
                 .is_written = certificate.starts},
                certificate.starts);
+    table.flag({.name = "attractors",
+                .meaning = "true: also of each attractor on which [starts] end, or that is known besides",
+                .is_written = certificate.attractors},
+               certificate.attractors);
 }
 
 template <typename Walker>
@@ -120,6 +124,7 @@ void describe_settings(Walker& file, Job& job) {
     }
     file.table({"certificate", "proof of labels and forces in interval arithmetic"},
                [&](auto& table) { describe(table, job.certificate); });
+    file.rule({"certificate", "starts"}, [&] { return rule_of_proved_attractors(job); });
     file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
                [&](auto& table) {
                    table.integer(

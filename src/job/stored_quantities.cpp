@@ -7,9 +7,13 @@
 
 namespace peterka::job {
 
-bool stores(const Job& job, const cell::Quantity& quantity) {
-    if (quantity.since > job.layout) return false;
-    switch (quantity.keeping.kept) {
+namespace {
+
+// Whether a job keeps what is stored then, but for what it keeps on request.
+bool keeps(const Job& job, cell::StoredWhen kept) {
+    const bool certifies = job.certificate.cells > 0;
+    const bool certifies_attractors = certifies && job.certificate.attractors && job.starts.count > 0;
+    switch (kept) {
         case cell::StoredWhen::always:
             return true;
         case cell::StoredWhen::in_refined_maps:
@@ -21,9 +25,13 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
         case cell::StoredWhen::of_rigid_stops:
             return is_rigid(job.contact);
         case cell::StoredWhen::of_certificates:
-            return job.certificate.cells > 0;
+            return certifies;
         case cell::StoredWhen::of_certificates_of_rigid_stops:
-            return job.certificate.cells > 0 && is_rigid(job.contact);
+            return certifies && is_rigid(job.contact);
+        case cell::StoredWhen::of_certified_attractors:
+            return certifies_attractors;
+        case cell::StoredWhen::of_certified_attractors_of_rigid_stops:
+            return certifies_attractors && is_rigid(job.contact);
         case cell::StoredWhen::of_uncertain_rigs:
             return job.uncertainty.rigs > 0;
         case cell::StoredWhen::of_uncertain_rigs_with_forces:
@@ -33,6 +41,14 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
         case cell::StoredWhen::on_request:
             break;
     }
+    return false;
+}
+
+}  // namespace
+
+bool stores(const Job& job, const cell::Quantity& quantity) {
+    if (quantity.since > job.layout) return false;
+    if (quantity.keeping.kept != cell::StoredWhen::on_request) return keeps(job, quantity.keeping.kept);
     if (const auto of_all = quantity.keeping.field_of_all; of_all && job.output.has(*of_all)) {
         if (is_uncertain(job, quantity.keeping.by_number)) return true;
         const auto gives = [&](const CellNumbers& cell) {
@@ -59,7 +75,7 @@ std::vector<const cell::AttractorQuantity*> stored_attractor_quantities(const Jo
     for (const cell::AttractorQuantity& quantity : cell::attractor_quantities) {
         const std::optional<OptionalField> field = quantity.keeping.field;
         if (quantity.since > job.layout) continue;
-        if (!field || job.output.has(*field)) stored.push_back(&quantity);
+        if (field ? job.output.has(*field) : keeps(job, quantity.keeping.kept)) stored.push_back(&quantity);
     }
     return stored;
 }

@@ -15,6 +15,7 @@
 #include "job/document.hpp"
 #include "job/job.hpp"
 #include "job/key.hpp"
+#include "job/meant.hpp"
 #include "job/names.hpp"
 #include "job/range.hpp"
 
@@ -126,7 +127,7 @@ class TableReader {
     [[nodiscard]] std::string_view example_of(const Key& key) const {
         return leads_in_si_ && !key.example_in_si.empty() ? key.example_in_si : key.example;
     }
-    [[nodiscard]] std::string suggestion(std::string_view unknown, bool is_table) const;
+    [[nodiscard]] std::string suggestion(const Meant& meant, bool is_table) const;
 
     void fault(std::string_view key, const Location& where, std::string text);
     void fault_of_rule(std::initializer_list<std::string_view> keys, const std::string& text);

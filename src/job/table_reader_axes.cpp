@@ -1,5 +1,6 @@
 // Which numbers the axes of a file vary.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,7 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "job/axis_quantity.hpp"
-#include "job/nearest.hpp"
+#include "job/meant.hpp"
+#include "job/misspelt_tables.hpp"
 #include "job/rules.hpp"
 #include "job/schema_plane.hpp"
 #include "job/table_reader.hpp"
@@ -86,10 +88,17 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
             axis.key, axis.key.substr(0, axis.key.find('.')));
     }
     const auto keys = axis_keys(law);
-    const std::string_view meant = nearest(axis.key, keys);
-    return fmt::format("unknown table [axes.{}]; it would have no effect; {}", axis.key,
-                       meant.empty() ? fmt::format("[axes] takes {}", fmt::join(keys, ", "))
-                                     : fmt::format("did you mean [axes.{}]?", meant));
+    const Meant meant = meant_by(axis.key, keys);
+    return fmt::format(
+        "unknown table [axes.{}]; it would have no effect; {}", axis.key,
+        meant.found() ? meant.question("[axes.", "]") : fmt::format("[axes] takes {}", fmt::join(keys, ", ")));
+}
+
+std::optional<MisspeltTable> misspelt_axis(const std::string& key, ContactLaw law) {
+    if (find_quantity(key) != nullptr) return std::nullopt;
+    const Meant meant = meant_by(key, axis_keys(law));
+    if (!meant.found() || !is_misspelt(key, meant.key)) return std::nullopt;
+    return MisspeltTable{"axes." + key, fmt::format("axes.{}", meant.key)};
 }
 
 // Empty for the usual quantity in its usual place.
@@ -150,6 +159,7 @@ ChosenAxes TableReader::choose_axes(Job& job) {
             axes.push_back(axis);
         } else {
             fault(axis.key, axis.where, text);
+            faults_.back().misspelt = misspelt_axis(axis.key, law_of(job.contact));
             has_faulty = true;
         }
     }

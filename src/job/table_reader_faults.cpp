@@ -6,7 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "job/axis_quantity.hpp"
-#include "job/nearest.hpp"
+#include "job/meant.hpp"
+#include "job/misspelt_tables.hpp"
 #include "job/table_reader.hpp"
 #include "job/toml_text.hpp"
 
@@ -31,12 +32,15 @@ void TableReader::finish() {
         const std::string_view name = entry.name;
         if (refused_.contains(name) || std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
         const bool is_table = entry.value.as<Table>() != nullptr;
+        const Meant meant = meant_by(name, known_);
         const std::string what =
             is_table ? fmt::format("unknown table [{}]", full_name(name))
                      : fmt::format("unknown key {}{}", toml_key(name),
                                    path_.empty() ? " at the top level" : fmt::format(" in [{}]", path_));
         fault(name, is_table ? entry.value.where : entry.where,
-              fmt::format("{}; it would have no effect; {}", what, suggestion(name, is_table)));
+              fmt::format("{}; it would have no effect; {}", what, suggestion(meant, is_table)));
+        if (is_table && meant.found() && is_misspelt(name, meant.key))
+            faults_.back().misspelt = {full_name(name), full_name(meant.key)};
     }
 }
 
@@ -54,11 +58,10 @@ std::string TableReader::place_to_add() const {
     return path_.empty() ? "at the top of the file" : fmt::format("under [{}]", path_);
 }
 
-std::string TableReader::suggestion(std::string_view unknown, bool is_table) const {
-    if (const auto meant = nearest(unknown, known_); !meant.empty()) {
-        return is_table ? fmt::format("did you mean [{}]?", full_name(meant))
-                        : fmt::format("did you mean {}?", meant);
-    }
+std::string TableReader::suggestion(const Meant& meant, bool is_table) const {
+    if (meant.found())
+        return is_table ? meant.question(path_.empty() ? "[" : fmt::format("[{}.", path_), "]")
+                        : meant.question();
     return fmt::format("{} takes {}", path_.empty() ? "the top level" : fmt::format("[{}]", path_),
                        fmt::join(known_, ", "));
 }

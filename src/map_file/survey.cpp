@@ -13,7 +13,7 @@ namespace {
 // The parts of Statistics that travel as plain bytes.
 struct Totals {
     findings::Counts counts;
-    findings::ProvedPeak proved;
+    findings::ProofFindings proofs;
     findings::Observed chaos;
     findings::LongestChaos longest;
     findings::Extremes largest;
@@ -66,7 +66,7 @@ findings::Statistics survey(const TileStore& tiles, const job::Job& job, MPI_Com
     parallel::together(communicator, [&] {
         mine = survey_share(tiles, job, parallel::share_of(tiles.tiling().count(), communicator));
     });
-    const Totals totals{mine.counts,        mine.proved,          mine.chaos,
+    const Totals totals{mine.counts,        mine.proofs,          mine.chaos,
                         mine.longest,       mine.largest,         mine.transients,
                         mine.starts.counts, mine.outcomes.counts, mine.tile_seconds};
     std::vector<LikelyCount> likely;
@@ -81,7 +81,7 @@ findings::Statistics survey(const TileStore& tiles, const job::Job& job, MPI_Com
     findings::Statistics all;
     for (const Totals& share : parallel::gather<Totals>(std::span(&totals, 1), communicator)) {
         all.counts.add(share.counts);
-        all.proved.take(share.proved);
+        all.proofs.add(share.proofs);
         all.chaos.take(share.chaos);
         all.longest.take(share.longest);
         all.largest.take(share.largest);

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <numeric>
 
 #include "job/twins.hpp"
 #include "scene/scales.hpp"
@@ -41,24 +42,20 @@ const char* reason(Certified certified) {
     return "";
 }
 
-std::int64_t count(const findings::Counts& counts, Certified certified) {
-    return counts.by_certificate[static_cast<std::size_t>(static_cast<int>(certified) - cell::first_certified)];
-}
-
 // In the order of the enum, from cubic_spring down.
-std::string reasons(const findings::Counts& counts) {
+std::string reasons(const findings::ProofFindings& proofs) {
     std::string text;
     for (int number = -1; number >= cell::first_certified; --number) {
         const auto certified = static_cast<Certified>(number);
-        if (const std::int64_t cells = count(counts, certified); cells > 0) {
-            text += fmt::format("  not proved          {}: {}\n", readable_count(cells), reason(certified));
+        if (const std::int64_t motions = proofs.count(certified); motions > 0) {
+            text += fmt::format("  not proved          {}: {}\n", readable_count(motions), reason(certified));
         }
     }
     return text;
 }
 
 // With as many decimals as the distance of the bounds justifies, and rounded outwards.
-std::string largest(const scene::Scene& scene, const findings::ProvedPeak& proved) {
+std::string largest(const scene::Scene& scene, const findings::ProvedPeak& proved, const char* of) {
     if (!(proved.upper > 0) || scene.rigs_differ()) return "";
     const bool rigid = job::is_rigid(scene.job().contact);
     const bool in_newton = !rigid && job::leads_in_si(scene.job());
@@ -68,37 +65,59 @@ std::string largest(const scene::Scene& scene, const findings::ProvedPeak& prove
     const double width = std::max(upper - lower, 1e-15 * upper);
     const int decimals = std::clamp(static_cast<int>(-std::log10(width)), 0, 15);
     const double half = 0.5 * std::pow(10, -decimals) + 1e-15 * upper;
-    return fmt::format("  {:<20}from {:.{}f} to {:.{}f} {}, of the cells that are proved\n",
+    return fmt::format("  {:<20}from {:.{}f} to {:.{}f} {}, of the {} that are proved\n",
                        rigid ? "largest speed" : "largest force", lower - half, decimals, upper + half,
                        decimals,
                        rigid       ? "m/s of an impact"
                        : in_newton ? "N"
-                                   : "weights");
+                                   : "weights",
+                       of);
+}
+
+std::int64_t tried_of(const findings::ProofFindings& proofs) {
+    return std::accumulate(proofs.by_verdict.begin(), proofs.by_verdict.end(), std::int64_t{0}) -
+           proofs.count(Certified::not_tried);
+}
+
+// of: cells or attractors.
+std::string proofs_in_words(const scene::Scene& scene, const findings::ProofFindings& proofs, const char* of) {
+    const std::int64_t tried = tried_of(proofs);
+    const std::int64_t from_start = proofs.count(Certified::start);
+    const std::int64_t proved = proofs.count(Certified::orbit) + from_start;
+    std::string text = fmt::format("{} {}\n  proved              {} ({})", readable_count(tried), of,
+                                   readable_count(proved), readable_share(proved, tried));
+    if (from_start > 0)
+        text += fmt::format(", in {} that the start leads there, too", readable_count(from_start));
+    return text + "\n" + reasons(proofs) + largest(scene, proofs.largest, of);
+}
+
+std::string comparison(const scene::Scene& scene, const findings::ProofFindings& proofs, const char* of) {
+    if (!(proofs.largest.upper >= 0)) return "";
+    return fmt::format("  {} of the {}   outside their proved bounds by {:.1e} at most, relative{}\n",
+                       job::is_rigid(scene.job().contact) ? "speeds" : "forces", of, proofs.furthest_outside,
+                       scene.cell(0, 0).oscillator.cubic == 0 ? "" : " (the bounds are with the cubic spring)");
+}
+
+std::string attractors_in_words(const scene::Scene& scene, const findings::ProofFindings& proofs) {
+    if (!scene.job().certificate.attractors || tried_of(proofs) == 0) return "";
+    const std::string compared =
+        job::is_rigid(scene.job().contact) ? "" : comparison(scene, proofs, "attractors");
+    return "of " + proofs_in_words(scene, proofs, "attractors") + compared;
 }
 
 }  // namespace
 
 std::string certificate_summary(const scene::Scene& scene, const findings::Statistics& statistics) {
-    if (scene.job().certificate.cells == 0) return "";
-    const findings::Counts& counts = statistics.counts;
-    const std::int64_t from_start = count(counts, Certified::start);
-    const std::int64_t proved = count(counts, Certified::orbit) + from_start;
-    const std::int64_t tried = counts.cells - count(counts, Certified::not_tried);
-    if (tried == 0) return "\nProofs in interval arithmetic: no cell tried has a motion that settles\n";
-    std::string text =
-        fmt::format("\nProofs in interval arithmetic, of {} cells\n  proved              {} ({})",
-                    readable_count(tried), readable_count(proved), readable_share(proved, tried));
-    if (from_start > 0)
-        text += fmt::format(", in {} that the start leads there, too", readable_count(from_start));
-    text += "\n" + reasons(counts) + largest(scene, statistics.proved);
-    const bool rigid = job::is_rigid(scene.job().contact);
-    if (proved > 0 && (!rigid || scene.job().output.has(cell::OptionalField::impact_speed))) {
-        text += fmt::format(
-            "  {} of the map   outside their proved bounds by {:.1e} at most, relative{}\n",
-            rigid ? "speeds" : "forces", statistics.proved.furthest_outside,
-            scene.cell(0, 0).oscillator.cubic == 0 ? "" : " (the bounds are with the cubic spring)");
+    const job::Job& job = scene.job();
+    if (job.certificate.cells == 0) return "";
+    const std::string of_attractors = attractors_in_words(scene, statistics.starts.counts.proofs);
+    if (tried_of(statistics.proofs) == 0) {
+        const std::string none = "\nProofs in interval arithmetic: no cell tried has a motion that settles\n";
+        return of_attractors.empty() ? none : none + of_attractors;
     }
-    return text;
+    const bool tells_peak = !job::is_rigid(job.contact) || job.output.has(cell::OptionalField::impact_speed);
+    return "\nProofs in interval arithmetic, of " + proofs_in_words(scene, statistics.proofs, "cells") +
+           (tells_peak ? comparison(scene, statistics.proofs, "map") : "") + of_attractors;
 }
 
 }  // namespace peterka

@@ -66,7 +66,9 @@ std::string variance(const job::Job& job, const findings::ElasticityFindings& fi
                             100 * one.median);
     }
     return fmt::format(
-        "    to first order the drawn rigs spread it by {:.2g} % (standard deviation); of that variance: {}\n",
+        "    to first order the drawn rigs spread it by {:.2g} % (standard deviation); of that variance, each "
+        "in the "
+        "median of these orbits: {}\n",
         100 * deviation.front().median, text);
 }
 

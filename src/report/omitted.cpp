@@ -38,7 +38,8 @@ std::string cubic_in_words(const job::Job& job, const findings::Statistics& stat
                        : has_speed                 ? "the orbit and its impact speed"
                                                    : "the orbit";
     return fmt::format(
-        "cubic spring: in {} cells, where it changes no label and {} by less than omit_tolerance = {:g}, or "
+        "cubic spring: in {} cells, where it changes no label and {} by less than {:g} of it "
+        "(solver.omit_tolerance), or "
         "where chaos or rounding decides{}",
         readable_count(cells_of(statistics, Engine::exact)), what, job.solver.omit_tolerance,
         kept_in_words(statistics));

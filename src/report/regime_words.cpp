@@ -31,7 +31,7 @@ const char* in_words(regime::Status status) {
         case Status::verified:
             return "verified";
         case Status::budget:
-            return "nothing verified within steady_state.max_cycles";
+            return "nothing verified in all the cycles that a cell is given (steady_state.max_cycles)";
         case Status::conservative:
             return "nothing dissipates, so nothing settles";
         case Status::too_many_events:
@@ -43,9 +43,11 @@ const char* in_words(regime::Status status) {
         case Status::rounding:
             return "rounding may decide the label: its errors grew by e^20 or more on the way";
         case Status::imprecise:
-            return "the peak force may be off by more than solver.tolerance";
+            return "the peak force may be off by more than is allowed (solver.tolerance)";
         case Status::chaotic_so_far:
-            return "chaotic for max_cycles, too few in this rig to tell chaos from a long transient";
+            return "chaotic in all the cycles that a cell is given (steady_state.max_cycles), too few in this "
+                   "rig to tell "
+                   "chaos from a long transient";
     }
     return "";
 }

@@ -152,7 +152,7 @@ class Words {
         return found.one_to_one && found.around_one_to_one.inside();
     }
     [[nodiscard]] std::string one_to_one(const BranchFindings& found) const {
-        if (!found.one_to_one) return "none: no impacts with z = 1/1 have a force";
+        if (!found.one_to_one) return "no motion with z = 1/1 has a force";
         constexpr int as_above = 6;  // where the summary tells the largest force of all
         return fmt::format("{} at {} {}, {}", force(found, *found.one_to_one), label_,
                            value_in_words(scene_, key_, value(*found.one_to_one), std::max(digits_, as_above)),

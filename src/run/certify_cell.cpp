@@ -26,6 +26,27 @@ cell::Status status_of_force(const job::Job& job, const certificate::Certificate
     return is_off ? cell::Status::imprecise : cell::Status::verified;
 }
 
+// Of a cell's result or of one of its attractors.
+template <class Numbers>
+certificate::Claim claim_of(const Numbers& motion) {
+    return {.regime = motion.regime,
+            .orbit = {.impacts = motion.impacts,
+                      .period = motion.period,
+                      .displacement = motion.orbit_displacement,
+                      .velocity = motion.orbit_velocity}};
+}
+
+template <class Numbers>
+void put_into(const certificate::Certificate& certificate, Numbers& motion) {
+    motion.certified = certificate.verdict;
+    if (!certificate.proved()) return;
+    motion.force_lower = certificate.force_ratio.lo;
+    motion.force_upper = certificate.force_ratio.hi;
+    motion.impact_speed_lower = certificate.impact_speed.lo;
+    motion.impact_speed_upper = certificate.impact_speed.hi;
+    motion.stability_margin = certificate.stability_margin;
+}
+
 }  // namespace
 
 bool wants_certificate(const job::Job& job, std::int64_t row, std::int64_t column) {
@@ -47,24 +68,23 @@ void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, ce
     const bool starts = begins_at_start(job, row);
     const job::CellNumbers numbers = job::numbers_at(job, row, column);
     const certificate::Certificate certificate = certificate::certify(
-        numbers,
-        {.regime = result.regime,
-         .orbit = {.impacts = result.impacts,
-                   .period = result.period,
-                   .displacement = result.orbit_displacement,
-                   .velocity = result.orbit_velocity}},
+        numbers, claim_of(result),
         starts && job.certificate.starts ? OfStart::through_impacts : OfStart::if_it_keeps_its_phase);
-    result.certified = certificate.verdict;
+    put_into(certificate, result);
     if (!certificate.proved()) return;
     if (!starts) result.certified = cell::Certified::orbit;
     if (result.certified == cell::Certified::start && result.status == cell::Status::rounding)
         result.status =
             status_of_force(job, certificate, scene::scales_of(numbers).force_ratio() * result.peak_force);
-    result.force_lower = certificate.force_ratio.lo;
-    result.force_upper = certificate.force_ratio.hi;
-    result.impact_speed_lower = certificate.impact_speed.lo;
-    result.impact_speed_upper = certificate.impact_speed.hi;
-    result.stability_margin = certificate.stability_margin;
+}
+
+void certify_attractor(const job::Job& job, std::int64_t row, std::int64_t column,
+                       cell::CellAttractor& attractor) {
+    if (!job.certificate.attractors || !wants_certificate(job, row, column)) return;
+    const certificate::Certificate certificate =
+        certificate::certify(job::numbers_at(job, row, column), claim_of(attractor));
+    put_into(certificate, attractor);
+    if (certificate.proved()) attractor.certified = cell::Certified::orbit;
 }
 
 }  // namespace peterka

@@ -16,4 +16,8 @@ namespace peterka {
 // Adds the certificate to the result, if requested for the cell.
 void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, cell::CellResult& result);
 
+// The same for an attractor of the cell, whose orbit is proved, not which starts lead there.
+void certify_attractor(const job::Job& job, std::int64_t row, std::int64_t column,
+                       cell::CellAttractor& attractor);
+
 }  // namespace peterka

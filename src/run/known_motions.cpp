@@ -13,6 +13,7 @@
 #include "map_file/known_slots.hpp"
 #include "parallel/collective.hpp"
 #include "quantities/fields.hpp"
+#include "run/certify_cell.hpp"
 #include "support/stop_if_asked.hpp"
 
 namespace peterka {
@@ -153,10 +154,14 @@ class Rows {
     }
     void add(TileSlots& tile, std::size_t i, std::span<const KnownMotions::NewResult> found) const {
         const std::int64_t cell = found.front().cell;
-        const scene::Scales scales = scene_.cell(cell / scene_.columns(), cell % scene_.columns()).scales;
+        const std::int64_t row = cell / scene_.columns();
+        const std::int64_t column = cell % scene_.columns();
+        const scene::Scales scales = scene_.cell(row, column).scales;
         std::vector<quantities::StoredAttractor> known;
         for (const auto& each : found) {
-            known.push_back(quantities::in_file_units(attractors::without_share(each.result), scales));
+            cell::CellAttractor attractor = attractors::without_share(each.result);
+            certify_attractor(scene_.job(), row, column, attractor);
+            known.push_back(quantities::in_file_units(attractor, scales));
         }
         std::ranges::stable_sort(known, {}, [](const quantities::StoredAttractor& slot) {
             return std::tuple(slot.regime, slot.period, slot.impacts, slot.peak_force);

@@ -17,6 +17,10 @@ namespace peterka {
 // The time that [certificate] takes, as a line of check; empty if not requested.
 [[nodiscard]] std::string certificate_price(const job::Job& job);
 
+// The time that [certificate] takes for each place where a curve has a gap of [curves], whose number is known
+// only once they are traced, as a line of check; empty if not requested.
+[[nodiscard]] std::string crossings_price(const job::Job& job);
+
 // The time that all cells take, foretold from some of them, as a line of check.
 [[nodiscard]] std::string time_price(const job::Job& job);
 

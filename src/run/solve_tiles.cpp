@@ -78,6 +78,8 @@ class TileSolver {
         if (elasticities_.any() || wants_certificate(scene_.job(), row, column)) {
             const Stopwatch afterwards;  // reading the clock takes as long as solving a cell without impact
             certify_cell(scene_.job(), row, column, open.results[i].cell);
+            for (attractors::CellAttractor& attractor : open.results[i].attractors)
+                certify_attractor(scene_.job(), row, column, attractor);
             elasticities_.add_to(row, column, open.results[i].cell);
             open.seconds += afterwards.seconds();
         }

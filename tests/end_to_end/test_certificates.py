@@ -7,8 +7,10 @@ import pytest
 
 import jobs
 import launch
+import many_starts
 
 ORBIT, START, NOT_TRIED = 1, 2, 0
+EMPTY = -128
 ROUNDING = 6  # of `status`
 POINTS = 24
 
@@ -114,3 +116,121 @@ def test_starts_of_a_basin_are_proved_to_lead_to_its_attractors(tmp_path):
     start = cells["certified"] == START
     assert np.count_nonzero(start) > 0.9 * np.count_nonzero(cells["certified"] >= ORBIT)
     assert len(np.unique(cells["attractor"][start])) > 1
+
+
+def of_attractors(points=20, count=8, more=""):
+    """With few starts, so that motions known to a cell from those beside it are among its attractors."""
+    return (jobs.RIG.format(kind="map", title="proofs of attractors") + jobs.axis("frequency_ratio", 1.5, 4.0, points)
+            + jobs.axis("gap_ratio", 0.5, 3.0, points) + many_starts.table(count)
+            + '[certificate]\ncells = "all"\nattractors = true\n' + more)
+
+
+@pytest.fixture(scope="module")
+def attractors(tmp_path_factory):
+    """(datasets of the map, what the run said, its file)"""
+    folder = tmp_path_factory.mktemp("attractors")
+    jobs.write(folder, of_attractors())
+    finished = launch.run("run", "job.toml", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    return read(folder / "job.h5"), finished.stdout, folder / "job.h5"
+
+
+def in_use(cells):
+    return cells["attractor_regime"] != EMPTY
+
+
+def test_nearly_all_attractors_are_proved_and_their_forces_within_the_bounds(attractors):
+    cells = attractors[0]
+    certified, regime = cells["attractor_certified"], cells["attractor_regime"]
+    assert np.array_equal(certified == EMPTY, ~in_use(cells))
+    settled = np.isin(regime, (0, 1, 3))
+    assert np.all(certified[in_use(cells) & ~settled] == NOT_TRIED)
+    proved = certified == ORBIT
+    assert np.count_nonzero(certified > ORBIT) == 0
+    assert np.count_nonzero(proved) > 0.97 * np.count_nonzero(settled)
+    assert np.count_nonzero(proved & (regime == 1)) > 250
+    without_share = settled & (cells["basin_share"] == 0)
+    assert np.count_nonzero(without_share & proved) > 0.95 * np.count_nonzero(without_share) > 30
+    force = cells["attractor_peak_force_ratio"][proved]
+    assert np.all(force >= cells["attractor_peak_force_lower_ratio"][proved] * (1 - 1e-3))
+    assert np.all(force < cells["attractor_peak_force_upper_ratio"][proved] * (1 + 1e-3) + 1e-12)
+    assert np.all(cells["attractor_stability_margin"][proved] > 0)
+    assert np.all(np.isnan(cells["attractor_stability_margin"][~proved]))
+
+
+def test_the_attractor_of_the_start_is_proved_as_the_cell_is(attractors):
+    cells = attractors[0]
+    rows, columns = np.nonzero(cells["start_attractor"] >= 0)
+    slots = cells["start_attractor"][rows, columns]
+    both = (cells["certified"][rows, columns] > NOT_TRIED) & (cells["attractor_certified"][slots, rows, columns] > NOT_TRIED)
+    assert np.count_nonzero(both) > 300
+    of_cell, of_slot = (cells[name][index] for name, index in (
+        ("peak_force_upper_ratio", (rows[both], columns[both])),
+        ("attractor_peak_force_upper_ratio", (slots[both], rows[both], columns[both]))))
+    np.testing.assert_allclose(of_slot, of_cell, rtol=1e-9)
+
+
+def test_the_summary_counts_attractors(attractors):
+    cells, words, _ = attractors
+    certified = cells["attractor_certified"]
+    tried, proved = np.count_nonzero((certified != NOT_TRIED) & in_use(cells)), np.count_nonzero(certified == ORBIT)
+    assert f"of {tried:,} attractors\n  proved              {proved:,} (" in words, words
+    assert "of the attractors that are proved" in words
+
+
+def test_attractors_are_the_same_bytes_on_two_ranks_and_after_a_stop(tmp_path):
+    one = many_starts.compute(tmp_path, of_attractors(10), name="one")
+    jobs.write(tmp_path, of_attractors(10))
+    stopped = launch.run("run", "job.toml", "--max-wall", "0.05", cwd=tmp_path)
+    assert stopped.returncode in (0, 5), stopped.stderr
+    assert launch.run("run", "job.toml", cwd=tmp_path, ranks=2).returncode == 0
+    two = read(tmp_path / "job.h5")
+    assert np.count_nonzero(one["attractor_certified"] == ORBIT) > 50
+    assert all(one[name].tobytes() == two[name].tobytes() for name in one)
+
+
+def test_other_datasets_are_those_of_the_map_without_proofs_of_attractors(attractors, tmp_path):
+    jobs.write(tmp_path, of_attractors().replace("attractors = true\n", ""))
+    assert launch.run("run", "job.toml", cwd=tmp_path).returncode == 0
+    plain, cells = read(tmp_path / "job.h5"), attractors[0]
+    assert {name for name in cells if name not in plain} == {
+        "attractor_certified", "attractor_peak_force_lower_ratio", "attractor_peak_force_upper_ratio", "attractor_stability_margin"}
+    assert all(plain[name].tobytes() == cells[name].tobytes() for name in plain)
+
+
+def test_attractors_on_a_rigid_stop_have_bounds_of_their_speed(tmp_path):
+    jobs.write(tmp_path, jobs.with_rigid_stop(of_attractors(10)))
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    cells = read(tmp_path / "job.h5")
+    periodic = (cells["attractor_certified"] == ORBIT) & (cells["attractor_regime"] == 1)
+    lower, upper = (cells[f"attractor_impact_speed_{side}"][periodic] for side in ("lower", "upper"))
+    assert np.count_nonzero(periodic) > 50 and np.all((0 < lower) & (lower <= upper))
+    assert np.all(np.isnan(cells["attractor_peak_force_upper_ratio"][periodic]))
+
+
+def test_a_refined_map_has_no_proofs_of_filled_attractors(tmp_path):
+    jobs.write(tmp_path, of_attractors(33, more="[refine]\nlevels = 2\n"))
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    cells = read(tmp_path / "job.h5")
+    filled = (cells["computed"] == 0) & in_use(cells)
+    assert np.count_nonzero(filled & (cells["basin_share"] > 0)) > 0
+    assert np.all(cells["attractor_certified"][filled & (cells["basin_share"] > 0)] == EMPTY)
+    assert np.all(cells["attractor_certified"][in_use(cells) & (cells["computed"] == 1)] != EMPTY)
+
+
+def test_check_tells_the_price_of_each_kind_of_proof(tmp_path):
+    def told(text):
+        jobs.write(tmp_path, text)
+        checked = launch.run("check", "job.toml", cwd=tmp_path)
+        assert checked.returncode == 0, checked.stderr
+        return [line for line in checked.stdout.splitlines() if line.startswith("#   proofs ")]
+    assert len(told(text('"all"'))) == 1
+    of_cells, of_slots = told(of_attractors())
+    assert "of 400 cells: " in of_cells and "8 are kept at most" in of_slots
+    borders = jobs.small_curves(points=8) + '[curves]\ngap_ratio = [0.5, 1.0]\n[certificate]\ncells = "all"\n'
+    assert told(borders) == ["#   proofs   of each place where a curve has one of the 2 gaps: some 900.0 us of one core"]
+    assert told(borders.replace("[0.5, 1.0]", "[0.5]"))[0].startswith("#   proofs   of each place where a curve has the gap: some ")
+    assert told(borders.replace('"all"', "0")) == []
+    assert len(told(text('"all"') + "[curves]\ngap_ratio = [0.5]\n")) == 2

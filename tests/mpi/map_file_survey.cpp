@@ -124,7 +124,7 @@ TEST_P(Survey, IsTheSumOverAllCells) {
     ASSERT_GT(tiling_.count(), 4);
 
     EXPECT_TRUE(alike(found.counts, expected.counts));
-    EXPECT_TRUE(alike(found.proved, expected.proved));
+    EXPECT_TRUE(alike(found.proofs, expected.proofs));
     EXPECT_TRUE(alike(found.chaos, expected.chaos));
     EXPECT_TRUE(alike(found.longest, expected.longest));
     EXPECT_TRUE(alike(found.largest, expected.largest));
@@ -139,7 +139,7 @@ TEST_P(Survey, IsTheSumOverAllCells) {
 
     // nothing that is compared is empty
     EXPECT_EQ(expected.counts.cells, job_.cells());
-    EXPECT_GT(expected.proved.furthest_outside, 0);
+    EXPECT_GT(expected.proofs.furthest_outside, 0);
     EXPECT_LT(expected.chaos.fewest, expected.chaos.most);
     EXPECT_TRUE(expected.longest.found() && expected.largest.one_to_one.found());
     EXPECT_GT(expected.transients.ended, 0);

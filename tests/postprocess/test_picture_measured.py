@@ -83,6 +83,15 @@ def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
     assert "1 point at gap 2.999 mm is left out" in found.left_out[1]
 
 
+@pytest.mark.parametrize("text, units", [
+    ("frequency_hz,gap_mm,force_n\n56.5,0,9\n", "frequency_hz is in hertz, gap_mm is in millimetres"),  # rad/s
+    ("frequency_ratio,gap_mm,force_n\n2,0.3e-2,9\n2,-4,9\n", None),
+    ("frequency_ratio,gap_ratio,force_n\n9,0,9\n", "frequency_ratio is Omega/omega, gap_ratio is gap/A0")])
+def test_where_no_point_is_left_the_units_of_its_columns_are_told(tmp_path, text, units):
+    told = [sentence for sentence in points(tmp_path, text).left_out if "no point is left" in sentence]
+    assert told == ([f"{tmp_path / 'points.csv'}: no point is left; {units}"] if units else [])
+
+
 def test_points_outside_the_frequencies_of_a_sweep_are_left_out_and_told(tmp_path):
     """The sample runs from 1 to 2.5, 4.5 to 11.25 Hz, whose ends belong to it whatever rounding makes of them."""
     text = "frequency_hz,gap_mm,force_n\n4.5,0,9\n11.250000000000002,0,9\n4.499999999999999,0,9\n4.4,0,9\n200,0,9\n44,0,\n"

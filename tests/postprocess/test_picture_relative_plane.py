@@ -32,7 +32,7 @@ def with_cell(path, **changes):
     ({"regime": 2, "impacts": 0, "period": 0, "observed_cycles": 1200, "lyapunov": 0.5},
      "chaotic for 1,200 cycles: errors grow (exponent 0.5 per cycle)"),
     ({"regime": 3, "impacts": 0}, "sustained contact: what is left of the motion can't separate the hammer"),
-    ({"regime": 4, "impacts": 0, "period": 0, "status": 1, "observed_cycles": 3000}, "unresolved after 3,000 cycles: nothing verified within max_cycles"),
+    ({"regime": 4, "impacts": 0, "period": 0, "status": 1, "observed_cycles": 3000}, "unresolved after 3,000 cycles: nothing verified in all its cycles (steady_state.max_cycles)"),
 ])
 def test_the_title_says_what_decided(tmp_path, cell, words):
     with TraceFile(with_cell(write_trace(tmp_path / "a.h5"), **cell)) as file:

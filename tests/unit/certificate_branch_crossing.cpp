@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -99,7 +100,8 @@ TEST(BranchCrossing, IsInTheUnitOfItsKey) {
 // (-p, -r v - w) into (-p, v - w) in a cycle; so (p, w) = v (P, W), and (p + g)^2 + (w/eta)^2 = |R|^2.
 class RigidOrbit {
   public:
-    RigidOrbit(Real zeta, Real r, Real g, Real eta) : r_(r), g_(g), eta_(eta), response_(zeta, eta) {
+    RigidOrbit(Real zeta, Real r, Real g, Real eta)
+        : zeta_(zeta), r_(r), g_(g), eta_(eta), response_(zeta, eta) {
         period_ = 2 * std::numbers::pi_v<Real> / eta;
         const Real rate = std::sqrt(1 - zeta * zeta);
         const Real decay = std::exp(-zeta * period_);
@@ -133,6 +135,24 @@ class RigidOrbit {
         const Real trace = -r_ * (flow_.a + flow_.d) + flow_.b * (1 + r_) * pressing / speed();
         return 1 + trace + determinant_;
     }
+    // Of the flight from one impact to the next over the stop; above 0 it would pass through.
+    [[nodiscard]] Real highest() const {
+        constexpr int samples = 2000;
+        const Real rate = std::sqrt(1 - zeta_ * zeta_);
+        const Real before = -position_ * speed();
+        const Real after = -(r_ + velocity_) * speed();
+        Real highest = -std::numeric_limits<Real>::infinity();
+        for (int n = samples / 50; n < samples - samples / 50; ++n) {
+            const Real passed = period_ * n / samples;
+            const Real angle = eta_ * (time() + passed);
+            const Real decay = std::exp(-zeta_ * passed);
+            const Real sine = decay * std::sin(rate * passed) / rate;
+            const Real rest = (decay * std::cos(rate * passed) + zeta_ * sine) * before + sine * after;
+            const Real swing = response_.real * std::sin(angle) + response_.imaginary * std::cos(angle);
+            highest = std::max(highest, swing + rest - g_);
+        }
+        return highest;
+    }
     [[nodiscard]] BranchCrossing guess(BranchEvent event, double near) const {
         return {event,
                 {1, {{EventKind::bounce, 0, static_cast<double>(time()), static_cast<double>(speed())}}},
@@ -143,6 +163,7 @@ class RigidOrbit {
   private:
     [[nodiscard]] Real square() const { return position_ * position_ + velocity_ * velocity_ / (eta_ * eta_); }
 
+    Real zeta_;
     Real r_;
     Real g_;
     Real eta_;
@@ -323,6 +344,37 @@ TEST(BranchCrossing, OrbitsBesideAFoldAreNone) {
         }
     }
     EXPECT_GT(refused, 500);
+}
+
+// Intervals in whose lower half lies the crossing, of orbits that are motions, while those at the upper end
+// pass through the stop: an interval that is halved is proved only if both halves are.
+TEST(BranchCrossing, IsRefusedWhereOrbitsOfTheUpperHalfPassThroughTheStop) {
+    int with_a_sound_half = 0;
+    for (const double r : {0.5, 0.65, 0.8}) {
+        for (const double gap : {-0.5, 0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const RigidCase rig(r, gap);
+            const auto zeros = rig.zeros([](const RigidOrbit& orbit) {
+                return orbit.discriminant() > 0 ? orbit.test_of_doubling() : Real(NAN);
+            });
+            for (const Real eta : zeros) {
+                const auto near = static_cast<double>(eta);
+                const BranchCrossing guess = rig.at(eta).guess(BranchEvent::period_doubling, near);
+                const double low = near - 1e-9;
+                for (double far = 1e-6; near + far < 4; far *= 1.25) {
+                    const RigidOrbit orbit = rig.at(near + far);
+                    if (!(orbit.discriminant() > 0)) break;
+                    if (orbit.highest() < 1e-4L) continue;
+                    EXPECT_NE(crosses_within(rig.numbers, guess, {low, near + far}), Crossed::proved)
+                        << r << " " << gap << " " << near << " " << far;
+                    const double middle = Interval(low, near + far).middle();
+                    const Crossed half = crosses_within(rig.numbers, guess, {low, middle});
+                    with_a_sound_half += half == Crossed::proved ? 1 : 0;
+                    if (half != Crossed::proved) break;
+                }
+            }
+        }
+    }
+    EXPECT_GT(with_a_sound_half, 0);
 }
 
 // Far from any zero, and where another branch would have to be taken.

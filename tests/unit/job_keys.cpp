@@ -54,6 +54,7 @@ anonymous = true
 cells = 150
 [certificate]
 cells = "all"
+attractors = true
 [refine]
 levels = 2
 [starts]

@@ -64,6 +64,8 @@ class RandomJobs {
         job.audit.cells = integer(0, 1'000'000);
         job.certificate.cells = coin() ? every_cell : integer(0, every_cell);
         job.certificate.starts = coin();
+        job.certificate.attractors = coin();
+        if (!rule_of_proved_attractors(job).empty()) job.certificate.attractors = false;
         job.limits.failed_cells = integer(0, std::numeric_limits<std::int64_t>::max());
         return job;
     }

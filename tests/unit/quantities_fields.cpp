@@ -45,7 +45,7 @@ job::Job with_every_field() {
     job.refine.levels = 1;
     job.starts.count = 4;
     job.uncertainty.rigs = 64;
-    job.certificate.cells = job::every_cell;
+    job.certificate = {.cells = job::every_cell, .attractors = true};
     for (const auto& field : job::Names<OptionalField>::all) job.output.fields.push_back(field.value);
     return job;
 }
@@ -117,6 +117,27 @@ TEST(OutputFields, AttractorsHaveFieldsOfTheirOwnWhereACellHasManyStarts) {
     EXPECT_EQ(names(stored_attractor_fields(job)).size(), usual.size() + 5);
 }
 
+// A file of a job that asks for certificates of its cells alone is what it was before attractors had some.
+TEST(OutputFields, AttractorsHaveCertificatesWhereThoseAreAskedFor) {
+    job::Job job = map_file::examples::small_map(4, 4);
+    job.starts.count = 4;
+    job.certificate.cells = 7;
+    const std::size_t usual = stored_attractor_fields(job).size();
+    const auto of_attractors = [&] {
+        const std::vector<std::string> all = names(stored_attractor_fields(job));
+        return std::vector(all.begin() + static_cast<std::ptrdiff_t>(usual), all.end());
+    };
+    EXPECT_TRUE(of_attractors().empty());
+    job.certificate.attractors = true;
+    EXPECT_EQ(of_attractors(),
+              (std::vector<std::string>{"attractor_certified", "attractor_peak_force_lower_ratio",
+                                        "attractor_peak_force_upper_ratio", "attractor_stability_margin"}));
+    job.contact = job::Restitution{0.6};
+    EXPECT_EQ(of_attractors().size(), 6U);
+    job.certificate.cells = 0;  // as check foretells the cost
+    EXPECT_TRUE(of_attractors().empty());
+}
+
 TEST(OutputFields, AKickIsOfTheCellWithoutManyStartsAndOfItsAttractorsWithThem) {
     job::Job job = map_file::examples::small_map(4, 4);
     job.output.fields = {OptionalField::critical_kick};
@@ -141,6 +162,10 @@ TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
     const scene::Scales scales{.length_m = 2, .frequency_rad_per_s = 3, .force_n = 5, .weight_n = 7};
     cell::CellAttractor computed{regime::Regime::periodic, regime::Status::imprecise, 3, 2, 14, 0.25};
     computed.kick = {0.5, 1.25, 0.75, -1, 0.125};
+    computed.certified = cell::Certified::near_grazing;
+    computed.force_lower = 1.5;  // bounds have the file's units already
+    computed.impact_speed_upper = 2.5;
+    computed.stability_margin = 0.375;
     const std::vector<StoredAttractor> stored{in_file_units(computed, scales), {}};
     const auto fields = stored_attractor_fields(job);
     const std::vector<StoredAttractor> back = map_file::decode(fields, map_file::encode(fields, stored), 2);
@@ -155,6 +180,10 @@ TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
     EXPECT_EQ(back[0].kick.tried, 4.5);
     EXPECT_EQ(back[0].kick.direction, -1);
     EXPECT_EQ(back[0].kick.lower, 0.75);
+    EXPECT_EQ(back[0].certified, cell::Certified::near_grazing);
+    EXPECT_EQ(back[0].force_lower, 1.5);
+    EXPECT_EQ(back[0].impact_speed_upper, 2.5);
+    EXPECT_EQ(back[0].stability_margin, 0.375);
     for (const AttractorField& field : fields) {  // an empty slot
         const double value = field.quantity->load(back[1]);
         EXPECT_TRUE(value == field.variable.fill || (std::isnan(value) && std::isnan(field.variable.fill)))

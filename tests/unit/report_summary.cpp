@@ -70,8 +70,7 @@ TEST(Summary, RegimesWithSharesAndOnlyThoseThatOccur) {
 
 TEST(Summary, CellsWithoutARegimeComeWithReasons) {
     const std::string text = summary(statistics_of_a_hundred_cells());
-    EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: nothing verified within steady_state.max_cycles"))
-        << text;
+    EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: nothing verified in all the cycles")) << text;
     EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: nothing dissipates")) << text;
     EXPECT_TRUE(contains(line_with(text, "failed"), "   numbers grew out of range")) << text;
 }
@@ -315,7 +314,7 @@ TEST(Summary, ProofsAreCountedByWhatTheyProve) {
     job.certificate.cells = 10;
     findings::Statistics statistics = statistics_of_a_hundred_cells();
     const auto set = [&](cell::Certified what, std::int64_t cells) {
-        statistics.counts.by_certificate.at(
+        statistics.proofs.by_verdict.at(
             static_cast<std::size_t>(static_cast<int>(what) - cell::first_certified)) = cells;
     };
     set(cell::Certified::not_tried, 90);

@@ -2,6 +2,8 @@
 // lead there.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "certified_cells.hpp"
 #include "run/certify_cell.hpp"
 
@@ -34,6 +36,40 @@ TEST(CertifyCell, AProvedStartTakesRoundingFromTheStatusAndNothingElse) {
     EXPECT_EQ(certified(true, rounding, 0.99), imprecise);
     EXPECT_EQ(certified(true, imprecise, 1), imprecise);
     EXPECT_EQ(certified(false, rounding, 1), rounding);
+}
+
+cell::CellAttractor attractor_of(const cell::CellResult& motion) {
+    return {.regime = motion.regime,
+            .impacts = motion.impacts,
+            .period = motion.period,
+            .orbit_displacement = motion.orbit_displacement,
+            .orbit_velocity = motion.orbit_velocity,
+            .certified = cell::Certified::not_tried};
+}
+
+// The bounds of an attractor are those of a cell that ends on it, and no start is proved to lead there.
+TEST(CertifyCell, AnAttractorHasTheCertificateOfItsOrbit) {
+    job::Job job = job_with_proofs(true);
+    job.starts.count = 4;
+    cell::CellResult result = testing::solved_at(2.0, 0.5).cell;
+    cell::CellAttractor attractor = attractor_of(result);
+    certify_attractor(job, 0, 0, attractor);
+    EXPECT_EQ(attractor.certified, cell::Certified::not_tried) << "not asked for";
+
+    job.certificate.attractors = true;
+    certify_attractor(job, 0, 0, attractor);
+    certify_cell(job, 0, 0, result);
+    EXPECT_EQ(result.certified, cell::Certified::start);
+    EXPECT_EQ(attractor.certified, cell::Certified::orbit);
+    EXPECT_EQ(attractor.force_lower, result.force_lower);
+    EXPECT_EQ(attractor.force_upper, result.force_upper);
+    EXPECT_EQ(attractor.stability_margin, result.stability_margin);
+
+    cell::CellAttractor false_claim = attractor_of(result);
+    false_claim.impacts += 1;
+    certify_attractor(job, 0, 0, false_claim);
+    EXPECT_EQ(false_claim.certified, cell::Certified::other_label);
+    EXPECT_TRUE(std::isnan(false_claim.force_upper));
 }
 
 }  // namespace

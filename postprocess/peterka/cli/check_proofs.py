@@ -5,6 +5,7 @@
 Takes certified periodic cells, spread evenly over the file, and prints a line for each that is not decided or contradicted
 (with --all-words for each), then counts. Confirmed: exactly one orbit lies in a box near the cell's; its q is the smallest period,
 its p, its stability and its largest force, or impact speed on a rigid stop, are as the file tells. The job needs [certificate], and fields = ["orbit"] in [output].
+Where its attractors are certified, too (certificate.attractors), it takes these instead, whatever the fields, as many as --cells says.
 A cell takes half a second with linear springs; with a cubic one seconds, some a minute and more.
 Exit codes: 0 no cell is contradicted; 1 one is; 2 a file cannot be read.
 """
@@ -59,23 +60,27 @@ def check(file: PeterkaFile, cells: int, max_period: int, all_words: bool) -> in
 
 
 def claims_of(file: PeterkaFile, cells: int, max_period: int) -> Iterator[tuple[str, Mapping[str, Any], Claim]]:
-    """(place in words, numbers by table and key, claim) of certified periodic cells with q up to `max_period`, `cells` of them."""
+    """(place in words, numbers by table and key, claim) of certified periodic cells with q up to `max_period`, `cells` of them; or
+    of attractors of cells, if those are certified, too."""
     if file.kind != "map":
         raise file.refusal(f"is a {file.kind}; this program proves cells of maps")
     tables = tables_of(file.data.attribute("job"))
     bounds = BOUNDS.get(tables["contact"]["law"])
     if bounds is None:
         raise file.refusal("has another stop than a spring and dashpot or a rigid one; this program proves cells of those alone")
-    claimed = ("impacts", "period", "orbit_displacement", "orbit_velocity", *bounds, "stability_margin")
-    if not all(file.data.has(name) for name in ("certified", *claimed)):
+    of = "attractor_" if file.data.has("attractor_certified") else ""
+    claimed = [of + name for name in ("impacts", "period", "orbit_displacement", "orbit_velocity", *bounds, "stability_margin")]
+    if not all(file.data.has(name) for name in (f"{of}certified", *claimed)):
         raise file.refusal('has no proofs with orbits; its job needs [certificate], and "orbit" among the fields of [output]')
-    values = {name: file.data.values(name, slice(None)) for name in ("regime", "certified", *claimed)}
+    values = {name: file.data.values(name, slice(None)) for name in (f"{of}regime", f"{of}certified", *claimed)}
     columns, rows = ((path, file.data.values(name, slice(None))) for path, name in axes_of(tables))
-    wanted = np.argwhere((values["regime"] == PERIODIC) & (values["certified"] > 0) & (values["period"] <= max_period))
-    for row, column in wanted[np.unique(np.linspace(0, len(wanted) - 1, min(cells, len(wanted))).astype(int))]:
+    wanted = np.argwhere((values[f"{of}regime"] == PERIODIC) & (values[f"{of}certified"] > 0) & (values[f"{of}period"] <= max_period))
+    for index in wanted[np.unique(np.linspace(0, len(wanted) - 1, min(cells, len(wanted))).astype(int))]:
+        *slot, row, column = index.tolist()
         axes = {columns[0]: float(columns[1][column]), rows[0]: float(rows[1][row])}
-        claim = Claim(*(values[name][row, column].item() for name in claimed))
-        yield ", ".join(f"{name} {value:.6g}" for name, value in axes.items()), numbers_of_cell(tables, axes), claim
+        claim = Claim(*(values[name][(*slot, row, column)].item() for name in claimed))
+        place = ", ".join(f"{name} {value:.6g}" for name, value in axes.items()) + "".join(f", attractor {n}" for n in slot)
+        yield place, numbers_of_cell(tables, axes), claim
 
 
 def read_arguments() -> argparse.Namespace:

@@ -7,7 +7,7 @@
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
 audited, STEM_computed where it is refined, and STEM_proved (of which cells the motion is proved, and why that of others
-is not) where it has certificates; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
+is not) where it has certificates, and STEM_proved_attractors where its attractors have some; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
 or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement, multiplier,
 lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. With
 --curves, a file of curves of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where

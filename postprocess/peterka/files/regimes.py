@@ -10,7 +10,7 @@ from .checked_hdf5 import Content
 NAMES = ("no impact", "periodic", "chaotic", "sustained contact", "unresolved", "failed")
 NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_COMPUTED = 0, 1, 2, 3, 4, 5, -128
 _REASONS = {
-    "budget": "nothing verified within max_cycles", "conservative": "nothing dissipates",
+    "budget": "nothing verified in all its cycles (steady_state.max_cycles)", "conservative": "nothing dissipates",
     "too many events": "too many contacts in a cycle", "not finite": "numbers grew out of range",
     "solver failed": "the integrator gave up", "chaotic so far": "chaos or a long transient",
 }

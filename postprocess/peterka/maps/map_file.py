@@ -46,6 +46,7 @@ PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "
 # In a map with [starts], on [attractor][gap_ratio][frequency_ratio].
 SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
          "attractor_peak_force_ratio": REAL, "basin_share": REAL}
+SLOT_PROOFS = "attractor_certified"  # the same, with certificate.attractors
 # Optional: for the attractors, or for the cells of a map without [starts].
 KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
 BOUNDS = {"impact_speed_lower", "impact_speed_upper", "critical_kick_lower"}  # told beside what they bound, no pictures of their own
@@ -70,7 +71,7 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
-    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), elasticities (names of datasets), has_chatter, has_last_impact, is_refined, has_proofs, attractors,
+    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), elasticities (names of datasets), has_chatter, has_last_impact, is_refined, has_proofs, has_slot_proofs (of SLOTS), attractors,
     audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
     of the cell; outcome_slots, the number of outcomes kept for each cell (0 without [uncertainty])."""
 
@@ -143,6 +144,9 @@ class PeterkaFile(OpenedFile):
         self.has_proofs = self._has_integers("certified")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.slots = self._slots()
+        self.has_slot_proofs = self.slots > 0 and self.data.has(SLOT_PROOFS)
+        if self.has_slot_proofs:
+            self.data.dataset(SLOT_PROOFS, (self.slots, *self.shape), INTEGER)
         self.outcome_slots = check_outcomes(self.data, self.shape, MAX_POINTS**2 * MAX_SLOTS) if self.kind == "map" else 0
         self.has_kicks = self.kind == "map" and all(self.data.has(name) for name in KICKS)
         if self.has_kicks:
@@ -174,7 +178,7 @@ class PeterkaFile(OpenedFile):
         return int(slots[0])
 
     def _is_stacked(self, name: str) -> bool:
-        return name in SLOTS or name in OUTCOMES or (name in KICKS and self.slots > 0)
+        return name in SLOTS or name == SLOT_PROOFS or name in OUTCOMES or (name in KICKS and self.slots > 0)
 
     def _check_quantity(self, name: str) -> None:
         self.data.dataset(name, self.shape, REAL)
@@ -218,8 +222,9 @@ class PeterkaFile(OpenedFile):
         for name in {"chatter", "computed"} & columns.keys():
             if not np.isin(columns[name], [0, 1, NOT_COMPUTED]).all():
                 raise self.refusal(f"has a {name} that is neither 0 nor 1")
-        if "certified" in columns and not np.isin(columns["certified"], [*range(-8, 3), NOT_COMPUTED]).all():
-            raise self.refusal("has a certified that is no verdict from -8 to 2")
+        for name in {"certified", SLOT_PROOFS} & columns.keys():
+            if not np.isin(columns[name], [*range(-8, 3), NOT_COMPUTED]).all():
+                raise self.refusal(f"has {'an' if name == SLOT_PROOFS else 'a'} {name} that is no verdict from -8 to 2")
 
     def _axis(self, name: str) -> Axis:
         """The Axis of a stored coordinate."""

@@ -1,9 +1,11 @@
-"""Shows of which cells the motion is proved in interval arithmetic, and why that of the others is not."""
+"""Shows of which cells the motion, or each attractor, is proved in interval arithmetic, and why that of the others is not."""
+
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..arrays import Integers
+from ..arrays import Integers, Mask
 from ..files.regimes import NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import axes
 from ..plotting.picture import picture
@@ -37,7 +39,17 @@ MISSING = NAMES.index("not computed yet")
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The picture as Axes, with the share of each verdict in its legend."""
-    reduced, counts = class_picture(file, ["regime", "certified"], _classify, len(NAMES))
+    return _draw(file, ax, ["regime", "certified"], _classify, "what is proved")
+
+
+@picture(PeterkaFile)
+def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
+    """The same of the attractors of each cell: proved where all that settle are, else why the one with the largest share isn't."""
+    return _draw(file, ax, ["regime", "attractor_regime", "attractor_certified"], _classify_attractors, "what is proved of all attractors")
+
+
+def _draw(file: PeterkaFile, ax: Axes | None, names: Sequence[str], classify: Callable[..., Integers], title: str) -> Axes:
+    reduced, counts = class_picture(file, names, classify, len(NAMES))
     verdicts = [NAMES.index(words) for words, _ in VERDICTS.values()]
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
                for n in verdicts if counts[n]]
@@ -45,11 +57,25 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     axes.show_classes(ax, reduced, COLOURS, MISSING)
     axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, "what is proved", ax)
+    axes.write_title(figure, file, title, ax)
     return ax
 
 
+def _settles(regime: Integers) -> Mask:
+    return (regime == NO_IMPACT) | (regime == PERIODIC) | (regime == SUSTAINED_CONTACT)
+
+
 def _classify(regime: Integers, certified: Integers) -> Integers:
-    settled = (regime == NO_IMPACT) | (regime == PERIODIC) | (regime == SUSTAINED_CONTACT) | (regime == NOT_COMPUTED)
     number = np.where(regime == NOT_COMPUTED, NOT_COMPUTED, certified.astype(int))
-    return np.searchsorted(_NUMBERS, np.where(settled | (number != 0), number, UNSETTLED))
+    is_told = _settles(regime) | (regime == NOT_COMPUTED) | (number != 0)
+    return np.searchsorted(_NUMBERS, np.where(is_told, number, UNSETTLED))
+
+
+def _classify_attractors(regime: Integers, of_slots: Integers, certified: Integers) -> Integers:
+    """`of_slots`, `certified`: (slots, rows, columns), the largest share first. Slots of filled cells have no verdict."""
+    settles = _settles(of_slots)
+    fails = settles & (certified < 0) & (certified != NOT_COMPUTED)
+    first = np.take_along_axis(certified, fails.argmax(axis=0)[None], axis=0)[0].astype(int)
+    number = np.where(np.all(~settles | (certified > 0), axis=0), 1, 0)
+    number = np.where(fails.any(axis=0), first, np.where(settles.any(axis=0), number, UNSETTLED))
+    return np.searchsorted(_NUMBERS, np.where(regime == NOT_COMPUTED, NOT_COMPUTED, number))

@@ -133,7 +133,15 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
                  for gap, distances in moved.items()]
     if other_gaps:
         left_out.append(_left_out(path, len(other_gaps), f"at {', '.join(dict.fromkeys(other_gaps))}") + "; the sweep has no such gap")
+    if left_out and not points:
+        left_out.append(f"{path}: no point is left; {_units_in_words(table.names)}")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
+
+
+def _units_in_words(names: Sequence[str]) -> str:
+    """Of the columns that say where a point lies, in the units that they are read in."""
+    spoken = {"frequency_hz": "in hertz", "gap_mm": "in millimetres", "frequency_ratio": "Omega/omega", "gap_ratio": "gap/A0"}
+    return ", ".join(f"{name} is {unit}" for name, unit in spoken.items() if name in names)
 
 
 def _left_out(path: Path, count: int, which: str) -> str:
