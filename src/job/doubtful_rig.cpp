@@ -26,13 +26,14 @@ double largest(const Cells& cells, Number number) {
     return number(*std::ranges::max_element(cells, {}, number));
 }
 
-void add_mass(const Cells& cells, std::vector<std::string>& texts) {
+bool add_mass(const Cells& cells, std::vector<std::string>& texts) {
     constexpr double heavy_kg = 100;
     const double mass = smallest(cells, [](const CellNumbers& cell) { return cell.hammer.mass_kg; });
-    if (mass < heavy_kg) return;
+    if (mass < heavy_kg) return false;
     texts.push_back(
         fmt::format("the hammer's mass is {:.4g} kg: masses are in kilograms, {:.4g} g would be {:.4g} kg",
                     mass, mass, mass / 1000));
+    return true;
 }
 
 void add_natural_frequency(const Cells& cells, std::vector<std::string>& texts) {
@@ -141,7 +142,7 @@ void add_damping_of_stop(const Cells& cells, std::vector<std::string>& texts) {
 
 void add_doubtful_rig(const Job& job, std::vector<std::string>& texts) {
     const Cells cells = numbers_at_corners(job);
-    add_mass(cells, texts);
+    if (add_mass(cells, texts)) return;  // what is derived from it is as doubtful
     add_natural_frequency(cells, texts);
     add_damping(cells, texts);
     add_cubic(cells, texts);

@@ -41,7 +41,7 @@ inline Job map() {
     job.solver = {.engine = EngineChoice::split, .tolerance = 2e-9, .omit_tolerance = 2e-3};
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}, .anonymous = true};
     job.audit = {.cells = 150};
-    job.certificate = {.cells = every_cell, .attractors = true};
+    job.certificate = {.cells = every_cell};
     job.refine = {.levels = 2};
     job.starts = {
         .count = 65, .displacement_ratio = {-4.5, 0.5}, .velocity_ratio = {-3.5, 3.0}, .attractors = 9};
@@ -68,7 +68,6 @@ inline Job basin() {
     Job job = map();
     job.kind = Kind::basin;
     job.title = "A basin";
-    job.certificate.attractors = false;  // of maps
     job.hammer.natural_frequency_hz.reset();
     job.hammer.stiffness_n_per_m = 240.5;
     job.hammer.damping_ns_per_m.reset();
@@ -86,7 +85,6 @@ inline Job sweep() {
     Job job = map();
     job.kind = Kind::sweep;
     job.title = "A sweep";
-    job.certificate.attractors = false;
     job.rows = {};
     job.audit = {};
     job.refine = {};

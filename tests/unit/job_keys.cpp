@@ -54,7 +54,6 @@ anonymous = true
 cells = 150
 [certificate]
 cells = "all"
-attractors = true
 [refine]
 levels = 2
 [starts]
