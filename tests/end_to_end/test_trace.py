@@ -130,6 +130,18 @@ def test_a_place_is_computed_where_it_was_asked_for_and_the_distance_to_the_near
         assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == (frequency[7], gap[3])
 
 
+@pytest.mark.parametrize("corner", [(0, 0), (-1, -1)])
+def test_a_place_at_a_corner_of_the_map_is_its_cell(tmp_path, small_map_file, corner):
+    with h5py.File(small_map_file) as file:
+        rows, columns = file["regime"].shape
+        place = file["frequency_ratio"][corner[1]], file["gap_ratio"][corner[0]]
+    near = f"[operating_point]\nfrequency_ratio = {place[0]}\ngap_ratio = {place[1]}"
+    path, said = compute(tmp_path, jobs.trace_of(small_map_file, near))
+    assert "the place of this trace" not in said
+    with h5py.File(path) as file:
+        assert (file["map_cell/row"][()], file["map_cell/column"][()]) == (corner[0] % rows, corner[1] % columns)
+
+
 def test_a_cell_of_a_basin_keeps_its_own_start(tmp_path, small_basin_file):
     with h5py.File(small_basin_file) as file:
         start = file["displacement_ratio"][5], file["velocity_ratio"][11]

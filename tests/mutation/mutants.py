@@ -120,6 +120,16 @@ def operand_end(code: str, place: int) -> int:
     return len(code)
 
 
+def statement_end(code: str, place: int) -> int:
+    """Where what is added here ends: its conditions and alternatives, too."""
+    depth = 0
+    for index in range(place, len(code)):
+        depth += (code[index] in OPENING) - (code[index] in CLOSING)
+        if depth < 0 or depth == 0 and code[index] in ";,":
+            return index
+    return len(code)
+
+
 class Constants:
     """Where a file's text is in a constexpr function, and where in the definition of a constexpr variable."""
 
@@ -186,7 +196,7 @@ def edits(mutant: Mutant, number: int, text: str, code: str, constants: Constant
         return out + [(left, left, "((bool("), (begin, begin, f") != {asked})"), (end, end, "(bool("),
                       (right, right, f") != {asked})) != {asked}")] if left < begin else []
     if before in (" += ", " -= "):
-        return out + [(end, end, f"({asked} ? -1 : 1) * ("), (last := operand_end(code, end), last, ")")]
+        return out + [(end, end, f"({asked} ? -1 : 1) * ("), (last := statement_end(code, end), last, ")")]
     if before in ("true", "false"):
         return out + [(begin, end, f"({'!' if before == 'true' else ''}{asked})")]
     if before == "if (!":
