@@ -230,7 +230,7 @@ def test_check_tells_the_price_of_each_kind_of_proof(tmp_path):
     of_cells, of_slots = told(of_attractors())
     assert "of 400 cells: " in of_cells and "8 are kept at most" in of_slots
     borders = jobs.small_curves(points=8) + '[curves]\ngap_ratio = [0.5, 1.0]\n[certificate]\ncells = "all"\n'
-    assert told(borders) == ["#   proofs   of each place where a curve has one of the 2 gaps: some 900.0 us of one core"]
+    assert told(borders) == ["#   proofs   of each place where a curve has one of the 2 gaps: some 8.0 ms of one core"]
     assert told(borders.replace("[0.5, 1.0]", "[0.5]"))[0].startswith("#   proofs   of each place where a curve has the gap: some ")
     assert told(borders.replace('"all"', "0")) == []
     assert len(told(text('"all"') + "[curves]\ngap_ratio = [0.5]\n")) == 2
