@@ -62,7 +62,8 @@ def _draw(file: PeterkaFile, ax: Axes | None, names: Sequence[str], classify: Ca
 
 
 def _settles(regime: Integers) -> Mask:
-    return (regime == NO_IMPACT) | (regime == PERIODIC) | (regime == SUSTAINED_CONTACT)
+    mask: Mask = (regime == NO_IMPACT) | (regime == PERIODIC) | (regime == SUSTAINED_CONTACT)
+    return mask
 
 
 def _classify(regime: Integers, certified: Integers) -> Integers:
