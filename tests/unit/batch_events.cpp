@@ -8,8 +8,9 @@
 namespace peterka::testing {
 namespace {
 
-// Into a soft, strongly damped stop by its energy no deeper than v/w, half as far as it swings in flight, and
-// what the forcing adds; the amplitude of the damped oscillation, v/rate, is three times as large.
+// By its energy the hammer comes no deeper into this soft, strongly damped stop than v/w and what the forcing
+// adds, half as far as it swings in flight; the amplitude of its damped oscillation, v/rate, is three times as
+// large.
 TEST(BatchEvents, AnImpactGoesNoFurtherThanItsEnergy) {
     constexpr double stiffness = 3;
     constexpr double damping_ratio = 0.94;
