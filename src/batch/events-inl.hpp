@@ -183,10 +183,8 @@ HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& ce
     Mask is_short = which & may_be_short;
     if (any(is_short)) {
         const Contact contact(lanes_, cells, m);
-        // the pull half-way
-        const V later = mul_add(cells.eta * all(rig_.exit_time / 2), m.cosine, m.sine);
-        const V mean_pull = mul_sub(drive, later, springs) / m.velocity * all(1 / rig_.pull_scale);
-        const V bounded = max(min(mean_pull, all(1)), all(-1));
+        const V share = mean_pull(rig_, cells, m, springs) / m.velocity * all(1 / rig_.pull_scale);
+        const V bounded = max(min(share, all(1)), all(-1));
         const Release end = short_release(rig_, contact, bounded, is_short);
         is_short = is_short & end.sure;
         const Mask goes_on = cubic ? is_short & (end.time >= left) : none();  // at the stop at the next kick

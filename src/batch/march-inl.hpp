@@ -36,15 +36,16 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
     const std::size_t size = in_vectors(lanes.size);
     for (std::size_t word = 0; word < size; word += 64) {
         Flags flags;
-        for (std::size_t i = word; i < std::min(word + 64, size); i += width()) {
+        for (std::size_t bit = 0; bit < std::min<std::size_t>(64, size - word); bit += width()) {
+            const std::size_t i = word + bit;
             const Mask active = load(lanes[Field::next] + i) == here;
             if (!any(active)) continue;
             V kick_slope = all(0);
             if constexpr (cubic && own) cubic_part = all(part * rig_at(i).cubic);
             if constexpr (cubic) kick_slope = kick(lanes, i, active, cubic_part);
             const Flags these = fly(lanes, i, active, forced, kick_slope);
-            flags.rises |= these.rises << (i - word);
-            flags.hops |= these.hops << (i - word);
+            flags.rises |= these.rises << bit;
+            flags.hops |= these.hops << bit;
         }
         enqueue(word, n, flags);
     }

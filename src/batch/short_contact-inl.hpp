@@ -19,6 +19,13 @@ HWY_INLINE V guess(const std::array<double, Rig::guess_terms>& shift, V x) {
     return t;
 }
 
+// The pull of forcing and springs half-way through an unforced contact: its mean, to first order. springs:
+// their pull at the stop.
+HWY_INLINE V mean_pull(const Rig& rig, const auto& cells, const Moments& touch, V springs) {
+    const V sine = mul_add(cells.eta * all(rig.exit_time / 2), touch.cosine, touch.sine);
+    return mul_sub(cells.drive, sine, springs);
+}
+
 struct Release {
     V time;  // since the contact began
     ContactPoint point;

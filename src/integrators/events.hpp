@@ -189,8 +189,8 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     const SignalCurve curve(below, above);
     const double share = sign_change([&](double s) { return curve.value(s); }, true);
     double time = below.time + share * (above.time - below.time);
-    const double rate = std::max({1.0, leg_->oscillator.frequency,
-                                  leg_->phase == Phase::contact ? fastest(stepper_->before().state) : 1.0});
+    double rate = std::max(1.0, leg_->oscillator.frequency);
+    if (leg_->phase == Phase::contact) rate = std::max(rate, fastest(stepper_->before().state));
     LegPoint point;
     for (int n = 0; n < most_looks; ++n) {
         point = look(time);

@@ -27,10 +27,7 @@ class Recurrence {
         : longest_(longest),
           ring_(std::bit_ceil(static_cast<std::size_t>(2 * longest + 1))),
           untouched_(untouched),
-          marks_(static_cast<std::size_t>(2 * longest + late_repeats)) {
-        states_.reserve(16);
-        records_.reserve(16);
-    }
+          marks_(static_cast<std::size_t>(2 * longest + late_repeats)) {}
 
     // Records the state after one more cycle and that cycle's events.
     void record(const CycleResult& cycle) {

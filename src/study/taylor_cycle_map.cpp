@@ -8,6 +8,7 @@
 #include "study/taylor_motion.hpp"
 #include "study/taylor_series.hpp"
 #include "support/stop_request.hpp"
+#include "trajectory/first_crossing.hpp"
 
 namespace peterka::study {
 
@@ -68,8 +69,7 @@ class ForcedMotion : private TaylorMotion {
         const Real v = std::abs(point_.velocity);
         const Real a = free_acceleration_;
         if (force_counts()) {  // a lower bound on the time to delta = 0
-            const Real radius = 2 * point_.position / (v + std::sqrt(v * v + 2 * a * point_.position));
-            return std::min(turn, step_share * radius);
+            return std::min(turn, step_share * trajectory::parabola_step(-point_.position, v, a));
         }
         // to a little above the floor, or through 0
         return std::min(turn, 3 * floor_ / (v + std::sqrt(v * v + 6 * a * floor_)));

@@ -6,7 +6,9 @@
 #include <random>
 
 #include "batch/cycle_kernel.hpp"
+#include "batch/rigid-inl.hpp"
 #include "batch_agreement.hpp"
+#include "batch_one_cell.hpp"
 #include "rigid_rig.hpp"
 
 namespace peterka::testing {
@@ -160,6 +162,29 @@ TEST_F(BatchRigid, StartsInTheStopAndNumbersThatAreNoneAreTheTwins) {
     EXPECT_EQ(map.cycle(2).outcome, Outcome::not_finite);
     EXPECT_EQ(map.cycle(3).outcome, Outcome::done);
     EXPECT_EQ(map.left_to_twin(), 3);
+}
+
+// A hop whose delta = c1 t + c2 t^2 + c3 t^3 has its next root soon after, 1.22 times as late: the jerk has
+// nearly used up what presses, and Newton's method is slow, or leads to the other root, unless it starts with
+// both.
+TEST(BatchRigidHop, IsFoundEvenIfItHardlyReturns) {
+    for (const double length : {1e-4, 1e-3}) {
+        constexpr double eta = 4;
+        constexpr double phase = 2.5;
+        const double third = eta * eta * eta * std::cos(phase) / 6;
+        const double second = -third * length / 0.45;
+        const double speed = second * length + third * length * length;
+        const double gap = eta * eta * std::sin(phase) - 2 * second;
+        const OneCell cell(rigid(0.5, eta, gap, 0), 16);
+        const lanes::Moments start = moments({0, -speed}, phase);
+        const lanes::V fourth = lanes::Flight(cell, start).fourth_derivative_bound(lanes::all(cell.swing));
+        const lanes::ShortHop hop = lanes::short_hop(cell, start, fourth, lanes::all(1));
+        ASSERT_TRUE(lanes::everywhere(hop.sure)) << length;
+        const lanes::Moments end = lanes::Flight(cell, start).at(hop.time);
+        EXPECT_NEAR(one_of(end.delta), 0, 1e-14);
+        EXPECT_NEAR(one_of(end.velocity), one_of(hop.speed), 1e-13);
+        EXPECT_NEAR(one_of(hop.time), length, 0.02 * length);
+    }
 }
 
 }  // namespace

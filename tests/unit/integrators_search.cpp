@@ -87,6 +87,14 @@ TEST(SignalCurve, IsBoundedByItsCoefficientsOfDegreeSix) {
     EXPECT_NEAR(level.upper_bound(), -1, 1e-13);
 }
 
+// Level at both ends, with a curvature there that the cubic lacks: the bump of the margin, 64 m s^3 (1 - s)^3,
+// is what decides in the middle, and of degree 6 its coefficient is 64 m/20.
+TEST(SignalCurve, IsBoundedWithItsMargin) {
+    const SignalCurve curve({0, 0, 0, 8}, {1, 0, 0, 8});
+    EXPECT_NEAR(curve.margin, 8.0 / 32 / 50, 1e-16);
+    EXPECT_NEAR(curve.upper_bound(), 8.0 / 20 + 64.0 / 20 * curve.margin, 1e-15);
+}
+
 TEST(SignalCurve, KnowsWhereItRisesAndBends) {
     EXPECT_TRUE(curve_of({0, 1, 2, 3, 4, 5}).rises());
     EXPECT_FALSE(curve_of({0, 1, 2, 1.5, 4, 5}).rises());
@@ -209,6 +217,15 @@ TEST(LargestBetween, LooksNoFurtherWhereNothingExceedsTheLargestSoFar) {
     EXPECT_EQ(look.looks, 1);
     EXPECT_LT(largest_between(look.signal(1), look.signal(2.5), look, 1e-9, 0, 0), 1);
     EXPECT_EQ(look.looks, 1);
+}
+
+// No parabola has its top where there is no curvature.
+TEST(LargestBetween, IsTheSampleAtAFlatTop) {
+    const auto parabola = [](double t) { return Sample{t, -(t - 1) * (t - 1), -2 * (t - 1), -2}; };
+    for (const double slope : {0.0, 1e-3}) {
+        const auto flat = [&](double time) { return Sample{time, 0.25, slope, 0}; };
+        EXPECT_EQ(largest_between(parabola(0), parabola(1.7), flat, 1e-9, -10), 0.25) << slope;
+    }
 }
 
 // The curvature at the top isn't known: its value is taken as it is.

@@ -82,6 +82,17 @@ TEST(AttractorTable, MapsWithAsManyKicksAreOne) {
     EXPECT_EQ(known.of(oscillator, {Engine::split, 1e-9, 50}), nullptr);
 }
 
+// The tolerance sets an integrator's steps, but the kicks' number only as far as it is rounded.
+TEST(AttractorTable, MapsOfIntegratorsAreTheSameAtOneTolerance) {
+    auto oscillator = coexisting();
+    oscillator.cubic = 7.9e-7;
+    for (const Engine engine : {Engine::cvode, Engine::arkode}) {
+        EXPECT_TRUE(same_map(oscillator, {engine, 1e-6, 5}, {engine, 1e-6, 50}));
+        EXPECT_FALSE(same_map(oscillator, {engine, 1e-6, 5}, {engine, 1.01e-6, 5}));
+    }
+    EXPECT_TRUE(same_map(oscillator, {Engine::split, 1e-6, 5}, {Engine::split, 1.0000001e-6, 5}));
+}
+
 TEST(AttractorTable, HoldsOnlyOrbitsThatAreWorthTheirNeighbourhood) {
     const auto oscillator = coexisting();
     const auto impacting = found_from(oscillator, -1, 1);

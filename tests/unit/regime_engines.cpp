@@ -117,6 +117,11 @@ job::Job paper_job(double cubic_stiffness) {
     return job;
 }
 
+TEST(AutomaticEngine, IntegratesNoSpringsWithoutACubic) {
+    const EngineByReach engine(paper_rig(beam_170mm, 2, 0.5), {.engine = job::EngineChoice::automatic}, 7);
+    EXPECT_EQ(engine.settings().engine, Engine::split);
+}
+
 TEST(AutomaticEngine, LeavesThePapersCubicOut) {
     const CellResult with = solve_cell(scene::Scene(paper_job(238.2325)), 0, 1);
     const CellResult without = solve_cell(scene::Scene(paper_job(0)), 0, 1);

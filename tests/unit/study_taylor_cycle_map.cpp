@@ -213,5 +213,36 @@ TEST(TaylorCycleMap, ASofteningSpringThatGivesWayIsNotFinite) {
     EXPECT_EQ(TaylorCycleMap(oscillator)({-60, 0}).outcome, Outcome::not_finite);
 }
 
+// In flight, delta'' = eta^2 y - u - 2 zeta u' - cubic ((u + y)^3 - y^3), by small steps of Runge and Kutta.
+TEST(TaylorCycleMap, AnAbsoluteCubicSpringPullsAtTheCartToo) {
+    const Oscillator<Real> oscillator{.damping_ratio = 0.1L,
+                                      .frequency = 2,
+                                      .gap = 100,
+                                      .cubic = 0.01L,
+                                      .cubic_form = job::CubicForm::absolute};
+    const auto slope = [&](Real time, const State<Real>& x) {
+        const Real y = std::sin(oscillator.frequency * time);
+        const Real u = x[0] + oscillator.gap;
+        const Real cubes = (u + y) * (u + y) * (u + y) - y * y * y;
+        return State<Real>(
+            x[1], oscillator.drive() * y - u - 2 * oscillator.damping_ratio * x[1] - oscillator.cubic * cubes);
+    };
+    const State<Real> start(-101.5L, 0.7L);
+    State<Real> x = start;
+    constexpr int steps = 2000;
+    const Real h = oscillator.period() / steps;
+    for (int n = 0; n < steps; ++n) {
+        const Real time = h * n;
+        const State<Real> a = slope(time, x);
+        const State<Real> b = slope(time + h / 2, x + h / 2 * a);
+        const State<Real> c = slope(time + h / 2, x + h / 2 * b);
+        const State<Real> d = slope(time + h, x + h * c);
+        x += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    const auto cycle = TaylorCycleMap(oscillator)(start);
+    ASSERT_EQ(cycle.outcome, Outcome::done);
+    EXPECT_LT((cycle.end - x).norm(), 1e-11L);
+}
+
 }  // namespace
 }  // namespace peterka::trajectory

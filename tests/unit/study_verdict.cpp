@@ -91,5 +91,14 @@ TEST(RigidLimit, HasTheSpeedsOfTheFormulas) {
     EXPECT_LT(std::abs(limit.compliant_speed(1e8) - limit.rigid_speed()), 1e-2);
 }
 
+// There the hammer may swing without impact, too, but not from its start, at rest at u = -1.
+TEST(RigidLimit, FindsItsOrbitAtWideGapsToo) {
+    for (const RigidLimit& limit :
+         {RigidLimit{.frequency = 1.2, .gap = 6}, RigidLimit{.frequency = 1.3, .gap = 3},
+          RigidLimit{.frequency = 1.6, .gap = 2.5}}) {
+        EXPECT_NEAR(limit.compliant_speed(1e8), limit.rigid_speed(), 1e-2) << limit.frequency;
+    }
+}
+
 }  // namespace
 }  // namespace peterka::study

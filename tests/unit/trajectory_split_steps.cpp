@@ -88,5 +88,17 @@ TEST(SplitError, TellsTheErrorByHalvingTheStep) {
     }
 }
 
+TEST(SplitError, OfASingleCycleIsThatOfTheCycleItself) {
+    const auto oscillator = cubic_rig({3.1, 0.0}, 1e3 * paper_cubic);
+    const SplitCycleMap<double> map(oscillator, 32);
+    const State<double> start = testing::start_at(oscillator);
+    const State<double> difference =
+        (map(start).end - SplitCycleMap<double>(oscillator, 64)(start).end).cwiseAbs();
+    ASSERT_GT(difference.minCoeff(), 1e-9);
+    const auto told = split_error(map, start, 1);
+    EXPECT_NEAR(told.end[0], 4.0 / 3 * difference[0], 1e-15);
+    EXPECT_NEAR(told.end[1], 4.0 / 3 * difference[1], 1e-15);
+}
+
 }  // namespace
 }  // namespace peterka::trajectory
