@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "rig.hpp"
 
 namespace peterka::curves {
