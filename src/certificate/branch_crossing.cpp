@@ -290,9 +290,8 @@ Fold fold_of(const Springs<double>& springs, const EventChain& chain, const Eige
 Eigen::VectorXd sizes_of_unknowns(const Springs<double>& springs, const EventChain& chain) {
     double largest = 0;
     for (const Event& event : chain.events) largest = std::max(largest, std::abs(event.along));
-    Eigen::VectorXd sizes(static_cast<Eigen::Index>(2 * chain.events.size()));
-    for (Eigen::Index i = 0; i < sizes.size(); ++i) sizes[i] = i % 2 == 0 ? 1 / springs.rig.frequency : largest;
-    return sizes;
+    const Eigen::Vector2d of_event(1 / springs.rig.frequency, largest);
+    return of_event.replicate(static_cast<Eigen::Index>(chain.events.size()), 1);
 }
 
 // Newton's method for mu = mu' = 0 in (s, lambda). `share` sets the length of S.

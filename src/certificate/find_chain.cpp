@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certificate/bends.hpp"
+#include "certificate/safe_step.hpp"
 
 namespace peterka::certificate {
 
@@ -13,16 +14,6 @@ std::int64_t EventChain::impacts() const {
         events, [](EventKind kind) { return kind == EventKind::touch || kind == EventKind::bounce; },
         &Event::kind);
 }
-
-namespace {
-
-// The largest h for which value + slope h + bend h^2/2 <= 0, for a value of at most 0.
-double safe_step(double value, double slope, double bend) {
-    const double root = std::sqrt(std::max(0.0, slope * slope - 2 * bend * value));
-    return slope > 0 ? -2 * value / (slope + root) : (root - slope) / bend;
-}
-
-}  // namespace
 
 Walk Walk::after(const Springs<double>& springs, const Event& event) {
     Walk walk(springs, event.time, {0, 0});

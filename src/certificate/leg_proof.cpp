@@ -1,19 +1,13 @@
 #include "certificate/leg_proof.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "certificate/safe_step.hpp"
 
 namespace peterka::certificate {
 namespace {
 
 constexpr int most_steps_of_a_leg = 100'000;
-
-// Approximately the largest h for which value + slope h + bend h^2/2 <= 0; 0 if there is none.
-double largest_step(double value, double slope, double bend) {
-    if (!(value <= 0)) return 0;
-    const double root = std::sqrt(std::max(0.0, slope * slope - 2 * bend * value));
-    return slope > 0 ? -2 * value / (slope + root) : (root - slope) / bend;
-}
 
 // A time before the end, at which the signal reaches 0 from below, during which it surely was below 0.
 double surely_before(const Springs<Interval>& springs, const Phase<Interval>& phase, Signal signal,
@@ -60,7 +54,7 @@ bool March::step(double until, bool on_surface) {
     if (on_surface) watched.value = 0;
     const Bends near = bends(leg_->phase(), now, cap_, Within::later);
     const double bend = bend_of(*springs_, signal, near);
-    const double wanted = 0.95 * largest_step(watched.value.hi, watched.slope.hi, bend);
+    const double wanted = 0.95 * safe_step(watched.value.hi, watched.slope.hi, bend);
     const double end = offset_ + std::min({0.999 * cap_, wanted, until - offset_});
     const double time = (Interval(end) - Interval(offset_)).hi;
     if (!(end > offset_) || !(time <= cap_)) return false;

@@ -62,7 +62,8 @@ Reach reach_of(const Phase<Number>& phase, const Vector<Number>& state, double h
     const double u = size_of(state.position + phase.gap());
     Reach reach;
     reach.displacement = u + 2 * (length + eta * eta * h) * growth * h;
-    for (int tries = 0; tries < 8; ++tries) {
+    // The second estimate is for a strong cubic term; where it fails, the term outgrows all further ones, too.
+    for (int tries = 0; tries < 2; ++tries) {
         const double drive = eta * eta + phase.largest_cubic(reach.displacement);
         reach.velocity = (length + drive * h) * growth * rounding;
         if ((u + reach.velocity * h) * rounding <= reach.displacement) {

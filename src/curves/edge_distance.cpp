@@ -8,6 +8,7 @@
 #include "curves/reshape.hpp"
 #include "curves/stroboscopic.hpp"
 #include "regime/same_orbit.hpp"
+#include "support/expect.hpp"
 
 namespace peterka::curves {
 
@@ -179,6 +180,7 @@ class Line {
 }  // namespace
 
 std::int64_t cell_of(const CoarseMap& map, const LineOfCells& line, std::int64_t i) {
+    PETERKA_EXPECT(i >= 0 && i < (line.is_row ? map.columns() : map.rows()));
     return line.is_row ? line.number * map.columns() + i : i * map.columns() + line.number;
 }
 

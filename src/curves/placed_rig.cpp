@@ -47,7 +47,7 @@ double chi_of(const scene::Oscillator<double>& oscillator) {
 }  // namespace
 
 PlacedRig::PlacedRig(const scene::Oscillator<double>& oscillator, const PlaceSlopes& slopes)
-    : oscillator_(oscillator),
+    : oscillator_(scene::without_cubic(oscillator)),
       slopes_(slopes),
       rigid_(scene::is_rigid(oscillator.contact)),
       restitution_(rigid_ ? oscillator.restitution().coefficient : 0),
@@ -55,9 +55,7 @@ PlacedRig::PlacedRig(const scene::Oscillator<double>& oscillator, const PlaceSlo
       chi_(chi_of(oscillator)),
       contact_damping_(oscillator.damping_ratio + chi_ / 2),
       flight_(unforced(oscillator.damping_ratio, 1)),
-      contact_(unforced(contact_damping_, 1 + kappa_)) {
-    oscillator_.cubic = 0;
-}
+      contact_(unforced(contact_damping_, 1 + kappa_)) {}
 
 State<double> PlacedRig::slope(bool presses, double time, const State<double>& x) const {
     const double eta = oscillator_.frequency;

@@ -122,10 +122,12 @@ class CurveSearch {
                 std::ssize(batch),
                 [&](std::int64_t task) { return follow_edge(batch[static_cast<std::size_t>(task)]); }, untold);
             std::vector<Seed> seeds;
-            for (std::size_t i = 0; i < batch.size(); ++i) {
-                NumberReader reader(results[i]);
+            auto edge = batch.begin();
+            for (const Numbers& numbers : results) {
+                NumberReader reader(numbers);
                 const bool reached = reader.number() != 0;
-                if (reached && batch[i].site == 0) reached_.emplace_back(batch[i].from, batch[i].to);
+                if (reached && edge->site == 0) reached_.emplace_back(edge->from, edge->to);
+                ++edge;
                 if (!reader.done()) seeds.push_back(unpack_seed(reader));
             }
             found_.followed += std::ssize(batch);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "attractors/tally.hpp"
+#include "rig.hpp"
 
 namespace peterka::attractors {
 namespace {
@@ -81,6 +82,22 @@ TEST(AlongBranch, TheSmallestSharesGiveWayButNotThoseOfBranches) {
     const auto down = on(orbit(5));
     keep_with(here, std::array{&up, &down}, 3);
     EXPECT_EQ(forces(here), (std::vector<double>{1, 3, 5}));
+}
+
+// Also while starts are solved, before any of their motions is followed again.
+TEST(AlongBranch, LooksWhileItSolvesARow) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1.5, .to = 2, .points = 2};
+    job.sweep.gap_ratio = {0.5};
+    job.uncertainty.rigs = 2;
+    job.uncertainty.numbers["contact.damping_ns_per_m"].relative = 0.03;
+    const scene::Scene scene(job);
+    struct Asked {};
+    EXPECT_THROW(static_cast<void>(find_outcomes_along_branch(scene, 0, [] { throw Asked{}; })), Asked);
+    int looks = 0;
+    EXPECT_EQ(find_outcomes_along_branch(scene, 0, [&] { ++looks; }).size(), 2U);
+    EXPECT_GT(looks, 0);
 }
 
 }  // namespace

@@ -321,6 +321,27 @@ TEST(BranchCrossing, AFoldNeedsAMaximumWithinTheHeldValues) {
     EXPECT_EQ(fold.within(fold.speed, radius, -sign, etas), Crossed::not_surely_crossed);
 }
 
+// On one side of the fold there are two orbits, on the other none.
+TEST(BranchCrossing, NoBoxHoldsOneOrbitForEachRigAcrossAFold) {
+    const FoldOfBounce fold;
+    for (const double far : {1e-10, 1e-9, 1e-8}) {
+        const double side = fold.rig.at(fold.eta + far).discriminant() > 0 ? 1 : -1;
+        const double eta = fold.guess.near + side * far;
+        job::CellNumbers numbers = fold.rig.numbers;
+        numbers.place.frequency_ratio = eta;
+        Rig rig = *rig_of(numbers);
+        const Springs<double> approximate(middle(rig));
+        const EventChain chain = fold.rig.at(eta).guess(BranchEvent::fold, eta).chain;
+        const auto encloses = [&](double radius) {
+            rig.frequency = around(eta, radius);
+            rig.period = Interval(2) * pi / rig.frequency;
+            return enclosed_orbits(Springs<Interval>(rig), approximate, chain).has_value();
+        };
+        EXPECT_TRUE(encloses(1e-3 * far)) << far;
+        for (const double across : {1.05, 1.5, 3.0}) EXPECT_FALSE(encloses(across * far)) << far;
+    }
+}
+
 // In intervals of frequencies beside the fold, each from a distance to its double, with S anywhere around it:
 // mu rises or falls throughout where S does not hold its maximum, and becomes 0 at an orbit that is no fold;
 // and where it does, mu at the middle of S changes its sign elsewhere than the maximum.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coarse_map_example.hpp"
+#include "told_map.hpp"
 
 namespace peterka::curves {
 namespace {
@@ -90,6 +91,24 @@ TEST(EdgeDistance, IsOfOrbitsThatCurvesCover) {
     EXPECT_TRUE(std::isnan(row(0)[7].change));
     EXPECT_NE(row(0, 4)[7].kind, EdgeKind::no_orbit);
     EXPECT_EQ(row(1, 4)[8].kind, EdgeKind::no_orbit);  // chaos
+}
+
+// The orbit passes through such a cell, but it is not told to be the cell's own motion.
+TEST(EdgeDistance, IsNotThatOfAnOrbitWhichTheCellIsNotToldToHave) {
+    const testing::MapExample& one = coarse_map_example();
+    std::vector<Site> sites;
+    for (std::int64_t cell = 0; cell < one.map.count(); ++cell) sites.push_back(one.map.site(cell));
+    sites[3].regime = regime::Regime::chaotic;
+    sites[4].period = 2;
+    const CoarseMap map = testing::told_map(one.scene, one.rig, sites);
+    const auto along = edge_distances(map, one.rig, 1, {true, 0});
+    const auto as_solved = row(0, 1);
+    EXPECT_EQ(along[3].kind, EdgeKind::no_orbit);
+    EXPECT_EQ(along[4].kind, EdgeKind::no_orbit);
+    for (const std::size_t i : {0U, 1U, 2U, 5U}) {
+        EXPECT_EQ(along[i].kind, EdgeKind::period_doubling) << i;
+        EXPECT_EQ(along[i].change, as_solved[i].change) << i;
+    }
 }
 
 }  // namespace

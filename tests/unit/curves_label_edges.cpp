@@ -10,6 +10,7 @@
 
 #include "coarse_map_example.hpp"
 #include "observed.hpp"
+#include "told_map.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::curves {
@@ -100,6 +101,18 @@ TEST(TracedCurve, OfAFoldHasTheMultiplierOne) {
     }
 }
 
+TEST(TracedCurve, HasACuspWhereverItTurnsBack) {
+    const Curve curve = traced(fold_seed());
+    const auto chord = [&](std::size_t i) {
+        const PlanePoint& a = curve.points[i].place;
+        const PlanePoint& b = curve.points[i + 1].place;
+        return Eigen::Vector2d((b.column - a.column) / 2, (b.row - a.row) / 1.5);
+    };
+    std::ptrdiff_t turns = 0;
+    for (std::size_t i = 0; i + 2 < curve.points.size(); ++i) turns += chord(i).dot(chord(i + 1)) < 0 ? 1 : 0;
+    EXPECT_EQ(std::ranges::count(curve.specials, SpecialKind::cusp, &Special::kind), turns);
+}
+
 TEST(TracedCurve, HasItsCrossingsOfGaps) {
     const Curve curve = traced(doubling_seed(), {0.05, 0.5, 1.0, 1.5});
     ASSERT_EQ(curve.crossings.size(), 2U);
@@ -154,6 +167,34 @@ TEST(LabelEdges, OfACurveWithoutPointsAreNotTold) {
     Curve none;
     tell_edges(coarse_map_example().rig, coarse_map_example().map, none);
     EXPECT_EQ(none.edge, LabelEdge::unknown);
+}
+
+// A map of 1/1 up to its fourth row and 1/2 from there on, and a point of a curve of 1/1 at a distance below,
+// in cells, from where the label changes.
+LabelEdge told_at(double cells_below) {
+    const MapExample& one = coarse_map_example();
+    std::vector<Site> sites;
+    for (std::int64_t cell = 0; cell < one.map.count(); ++cell) {
+        const std::int64_t period = cell < one.cell(4, 0) ? 1 : 2;
+        sites.push_back({.regime = regime::Regime::periodic, .impacts = 1, .period = period});
+    }
+    const CoarseMap map = testing::told_map(one.scene, one.rig, sites);
+    Curve curve;
+    curve.kind = CurveKind::fold;
+    CurvePoint point;
+    point.place = {2.5, 0.1 + 0.3 * (3.5 - cells_below)};
+    point.orbit = {1, {{EventKind::touch, true, 0, 1}}};
+    curve.points = {point};
+    tell_edges(one.rig, map, curve);
+    return curve.points.front().edge;
+}
+
+TEST(LabelEdges, AreSeenWithinACell) {
+    EXPECT_EQ(told_at(0.6), LabelEdge::edge);
+    EXPECT_EQ(told_at(0.9), LabelEdge::edge);
+    EXPECT_EQ(told_at(1.1), LabelEdge::same_label);
+    EXPECT_EQ(told_at(1.4), LabelEdge::same_label);
+    EXPECT_EQ(told_at(-1.1), LabelEdge::same_label);
 }
 
 }  // namespace

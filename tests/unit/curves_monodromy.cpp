@@ -148,5 +148,25 @@ TEST(Monodromy, DerivativesOfABifurcationAreItsDifferences) {
     expect_derivatives_at_doubling(rigid, *struck, {3.5, 0.1});
 }
 
+// A strong dashpot makes M grow, so that its eigenvalues are far from the unit circle; with terms as large as
+// M's factors, the test function would be so, too.
+TEST(Monodromy, ABifurcationIsOfOrderOneHoweverStrongTheImpacts) {
+    for (const double damping : {1.0, 1e2, 1e4}) {
+        const auto oscillator = rig_with_stop(scene::KelvinVoigt<double>{100, damping}, 0.01);
+        const Rig rigs(oscillator);
+        const PlanePoint place{1.5, 0};
+        const Orbit orbit{1, {{EventKind::touch, true, 0.3, 1}, {EventKind::release, false, 0.3 + 1e-6, -1}}};
+        const double size = damping;  // of the saltation matrix at the touch
+        for (const int sign : {1, -1}) {
+            const double value = bifurcation(rigs.at(place), orbit, sign, Side::without_impact).value;
+            EXPECT_LT(std::abs(value), 4);
+            EXPECT_GT(std::abs(value), 0.01);
+            const double whole = monodromy(rigs, orbit, place, Side::without_impact).bifurcation(sign);
+            EXPECT_EQ(value > 0, whole > 0);
+            EXPECT_LT(std::abs(value), 4 * std::abs(whole) / size);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace peterka::curves

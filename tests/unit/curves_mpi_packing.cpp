@@ -76,5 +76,54 @@ TEST(MpiPacking, ACurveArrivesAsItWas) {
     }
 }
 
+TEST(MpiPacking, ABranchArrivesAsItWas) {
+    double last = 0;
+    const auto next = [&last] { return last += 0.25; };
+    UnstableBranch sent;
+    sent.gap = next();
+    sent.impacts = 3;
+    sent.period = 2;
+    sent.begins = BranchEnd::fold;
+    sent.ends = BranchEnd::grazing;
+    for (const std::size_t impacts : {3U, 1U, 0U}) {
+        BranchPoint point{.along = next(),
+                          .frequency = next(),
+                          .gap = next(),
+                          .force_ratio = next(),
+                          .multiplier = next(),
+                          .peak_force = next(),
+                          .residual = next(),
+                          .at_phase_0 = {{next(), next()}, {next(), next()}},
+                          .impact_times = {}};
+        for (std::size_t i = 0; i < impacts; ++i) point.impact_times.push_back(next());
+        sent.points.push_back(point);
+    }
+
+    Numbers numbers;
+    pack(sent, numbers);
+    NumberReader reader(numbers);
+    const UnstableBranch got = unpack_branch(reader);
+    EXPECT_TRUE(reader.done());
+    EXPECT_EQ(got.gap, sent.gap);
+    EXPECT_EQ(got.impacts, 3);
+    EXPECT_EQ(got.period, 2);
+    EXPECT_EQ(got.begins, sent.begins);
+    EXPECT_EQ(got.ends, sent.ends);
+    ASSERT_EQ(got.points.size(), 3U);
+    for (std::size_t n = 0; n < 3; ++n) {
+        const BranchPoint& a = got.points[n];
+        const BranchPoint& b = sent.points[n];
+        EXPECT_EQ(a.along, b.along);
+        EXPECT_EQ(a.frequency, b.frequency);
+        EXPECT_EQ(a.gap, b.gap);
+        EXPECT_EQ(a.force_ratio, b.force_ratio);
+        EXPECT_EQ(a.multiplier, b.multiplier);
+        EXPECT_EQ(a.peak_force, b.peak_force);
+        EXPECT_EQ(a.residual, b.residual);
+        EXPECT_EQ(a.at_phase_0, b.at_phase_0);
+        EXPECT_EQ(a.impact_times, b.impact_times);
+    }
+}
+
 }  // namespace
 }  // namespace peterka::curves

@@ -18,5 +18,11 @@ TEST(PlacedRig, FollowsTheChainRule) {
     EXPECT_EQ(in_ratios.by_row(10.0, 100.0), 100);
 }
 
+TEST(PlacedRig, HasLinearSprings) {
+    scene::Oscillator<double> bent = testing::paper_rig(testing::beam_170mm, 2, 0.5);
+    bent.cubic = 0.3;
+    EXPECT_EQ(PlacedRig(bent).oscillator().cubic, 0);
+}
+
 }  // namespace
 }  // namespace peterka::curves
