@@ -85,7 +85,7 @@ def _side_by_side(ax: Axes, points: Sequence[Point], quantities: Sequence[str]) 
 
 def _moved(ax: Axes, aside: float) -> Transform:
     """From data to the place so far to the right [pt]."""
-    return ax.transData + ScaledTranslation(aside / 72, 0, ax.get_figure().dpi_scale_trans)
+    return ax.transData + ScaledTranslation(aside / 72, 0, ax.get_figure().dpi_scale_trans) if aside else ax.transData
 
 
 def name_over_map(ax: Axes, file: Plane, points: Sequence[Point]) -> None:
