@@ -22,7 +22,7 @@ from peterka.pictures import open_file
 
 @pytest.fixture(autouse=True)
 def no_engine(monkeypatch):
-    def missing(compiled):
+    def missing():
         raise NoEngine("not asked for")
     monkeypatch.setattr(page_module, "module", missing)
 
