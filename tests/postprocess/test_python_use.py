@@ -103,7 +103,7 @@ def test_a_part_of_a_dataset_is_drawn(tmp_path):
     part = data.sel(gap_ratio=slice(0, 2.5), frequency_ratio=slice(2, 4))
     ax = peterka.draw(part, "map")
     assert ax.get_xlim() == pytest.approx((1.5, 4.5)) and ax.get_ylim() == pytest.approx((-0.5, 2.5))
-    with pytest.raises(ValueError, match="no picture 'mop' of this map; it has map, force_1_1"):
+    with pytest.raises(ValueError, match="no picture of this map named 'mop'; it has map, force_1_1"):
         peterka.draw(part, "mop")
 
 
