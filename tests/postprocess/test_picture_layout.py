@@ -7,6 +7,8 @@ from peterka.plotting.figures import figure_of
 from peterka.maps import comparison, comparison_map
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import open_file, pictures_of
+from peterka.plotting.frames import text_width
+from peterka.plotting.titles import SIZE, wrapped
 from peterka.scaling import efficiency
 from peterka.scaling.dealing import Machine
 from peterka.scaling.run_record import read_record
@@ -192,3 +194,15 @@ def test_scalings(tmp_path, monkeypatch, title):
     curves = [efficiency.curve(record, cells, efficiency.ranks_up_to(1000), machine) for cells in (4096, 10**5)]
     measured, _ = efficiency.measured_efficiency([record])
     sound(efficiency.draw(record, curves, measured, machine), monkeypatch)
+
+
+def test_a_key_in_a_title_breaks_between_its_words():
+    """A line ends inside a key only behind a dot or an underscore, and nothing is lost."""
+    text = "uncertainty.operating_point.gap_m.standard_deviation: 5e-05 in A, nothing in B; contact.damping_ns_per_m: 1200.5 in B"
+    for width in (1.3, 1.7, 2.4, 5.0):
+        lines = wrapped(text, width)
+        assert all(text_width(line, SIZE) <= width for line in lines)
+        told = lines[0]
+        for line in lines[1:]:
+            told += line if told[-1] in "._" else " " + line
+        assert told == text, lines

@@ -51,6 +51,7 @@ def test_all_attractors_of_a_cell_are_proved_or_the_reason_is_told_for_the_large
         drawn = Drawn(proved_map.draw_attractors(file), tmp_path / "a.png")
         for column, number in enumerate([1, -6, -3, 1, proved_map.UNSETTLED, 0, -128]):
             assert drawn.colour_of(file, 0, column) == proved_map.VERDICTS[number][1], column
+    assert "what is proved of the attractors that settle" in drawn.figure._suptitle.get_text()
 
 
 def test_only_a_map_with_certified_attractors_gives_their_picture(tmp_path, draw):

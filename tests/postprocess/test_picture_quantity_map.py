@@ -188,7 +188,18 @@ def test_a_few_long_contacts_leave_the_others_their_colours(tmp_path):
     mesh = next(one for one in ax.collections if getattr(one, "norm", None) and one.get_array() is not None and one.norm.vmax < 10)
     assert 1.4 < mesh.norm.vmin < 1.6 and 1.9 < mesh.norm.vmax < 2.1
     bar = next(one for one in ax.figure.axes if "longest contact" in one.get_xlabel())
-    assert "10.0 % above" in bar.get_xlabel() and bar._colorbar.extend == "both"
+    assert "10.0 % of these cells above the scale" in bar.get_xlabel().replace("\n", " ") and bar._colorbar.extend == "both"
+
+
+def test_a_peak_in_a_few_cells_stays_on_a_scale_from_0(tmp_path):
+    """A resonance is what such a picture is for."""
+    cells, impulses = [[orbit(1, 1)] * 20] * 20, np.linspace(0.1, 0.2, 400)
+    impulses[::12] = 3.0
+    with PeterkaFile(write_map(tmp_path / "a.h5", cells, fields={"impulse": impulses.reshape(20, 20)})) as file:
+        ax = quantity_map.draw(file, name="impulse")
+    norms = [one.norm for one in ax.collections if getattr(one, "norm", None) and one.get_array() is not None]
+    assert max(norm.vmax for norm in norms) >= 3.0
+    assert not any("above the scale" in one.get_xlabel() for one in ax.figure.axes)
 
 
 def test_an_even_spread_keeps_the_whole_scale(tmp_path):

@@ -36,7 +36,8 @@ OTHER_COLOUR = "#F2F2F2"
 NO_VALUE_COLOUR = "#F7C6D0"  # cells whose value is missing, e.g. no contact force for a rigid stop
 LOW_SHARE = 2  # lower percentile of scales not starting at 0: exponents of strongly stable orbits are very negative
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile if isolated cells exceed it by this factor
-# Where this percentile lies below this share of that end, few cells would have the scale for themselves: it ends there then.
+# Of values that are alike in most cells (a scale not starting at 0): where this percentile lies below this share of that end, few cells
+# would have the scale for themselves, and it ends there.
 BULK_SHARE, FLAT = 90, 0.25
 GREY_SCALE = (88, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are white or hatched there: the scale has all other lightnesses for itself.
@@ -173,23 +174,23 @@ def _norm(shown: Any, peak: float, from_zero: bool, limits: Sequence[float] | No
     if limits:
         low, high = limits
     else:
-        low, high = 0.0 if from_zero else float(np.percentile(shown.compressed(), LOW_SHARE)), _top_of_scale(shown.compressed(), peak)
+        low, high = 0.0 if from_zero else float(np.percentile(shown.compressed(), LOW_SHARE)), _top_of_scale(shown.compressed(), peak, from_zero)
         low = float(positive.min()) if logarithmic else low
         high = high if high > low else low + (abs(low) or 1.0)
     return LogNorm(max(low, 1e-6 * high), high) if logarithmic and high > 0 else Normalize(low, high)
 
 
-def _top_of_scale(values: Reals, peak: float) -> float:
+def _top_of_scale(values: Reals, peak: float, from_zero: bool) -> float:
     if peak == 0:
         return 1.0
     bulk, top = (float(value) for value in np.percentile(values, (BULK_SHARE, TOP_SHARE)))
     top = top if top > 0 and peak > TOP_EXCESS * top else peak
-    return bulk if 0 < bulk < FLAT * top else top
+    return bulk if not from_zero and 0 < bulk < FLAT * top else top
 
 
 def _beyond(values: Reals, norm: Normalize) -> str:
     """What the scale says of the cells above its end, where that leaves out more than isolated ones."""
-    return f"{axes.percent(float(np.mean(values > norm.vmax)))} above" if norm.vmax < np.percentile(values, TOP_SHARE) else ""
+    return f"{axes.percent(float(np.mean(values > norm.vmax)))} of these cells above the scale" if norm.vmax < np.percentile(values, TOP_SHARE) else ""
 
 
 def _told(label: str, beyond: str) -> str:

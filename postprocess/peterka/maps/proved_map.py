@@ -45,7 +45,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 @picture(PeterkaFile)
 def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The same of the attractors of each cell: proved where all that settle are, else why the one with the largest share isn't."""
-    return _draw(file, ax, ["regime", "attractor_regime", "attractor_certified"], _classify_attractors, "what is proved of all attractors")
+    return _draw(file, ax, ["regime", "attractor_regime", "attractor_certified"], _classify_attractors, "what is proved of the attractors that settle")
 
 
 def _draw(file: PeterkaFile, ax: Axes | None, names: Sequence[str], classify: Callable[..., Integers], title: str) -> Axes:

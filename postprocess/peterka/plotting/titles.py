@@ -50,11 +50,19 @@ def wrapped(text: str, width: float) -> list[str]:
     letters = len(text)
     while letters > 1 and not _fits(text, letters, width):
         letters -= 1
-    lines = len(textwrap.wrap(text, letters))
-    while letters > 1 and len(textwrap.wrap(text, letters - 1)) == lines and _fits(text, letters - 1, width):
+    lines = len(_wrap(text, letters))
+    while letters > 1 and len(_wrap(text, letters - 1)) == lines and _fits(text, letters - 1, width):
         letters -= 1
-    return [line.replace(NO_BREAK, " ") for line in textwrap.wrap(text, letters)]
+    return [line.replace(NO_BREAK, " ") for line in _wrap(text, letters)]
+
+
+class _Wrapper(textwrap.TextWrapper):
+    wordsep_simple_re = re.compile(r"([\t\n\x0b\x0c\r ]+|(?<=[a-z][_.])(?=[a-z]))")  # also inside a key, contact.damping_ns_per_m
+
+
+def _wrap(text: str, letters: int) -> list[str]:
+    return _Wrapper(letters, break_on_hyphens=False).wrap(text)
 
 
 def _fits(text: str, letters: int, width: float) -> bool:
-    return all(text_width(line, SIZE) <= width for line in textwrap.wrap(text, letters))
+    return all(text_width(line, SIZE) <= width for line in _wrap(text, letters))
