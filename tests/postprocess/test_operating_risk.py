@@ -209,6 +209,15 @@ def test_an_offset_larger_than_all_gaps_is_told(tmp_path, operate, deviation, to
     assert code == 0 and ((told in out) if told else "the offset of" not in out)
 
 
+@pytest.mark.parametrize("deviation, is_told", [(20e-3, True), (20e-6, False)])
+def test_a_precompression_is_as_large_as_its_size(tmp_path, deviation, is_told):
+    path = with_offset(tmp_path / "a.h5", deviation)
+    with SealedFile(path, "r+") as file:
+        file["gap_ratio"][...] = np.linspace(-3, -1, len(file["gap_ratio"]))
+    with PeterkaFile(path) as file:
+        assert [("of 20 mm" in line, "is 2.67 mm" in line) for line in risk.strange_offsets(file)] == [(True, True)] * is_told
+
+
 def test_a_drift_in_hertz_that_no_box_has_room_for_is_named(tmp_path, operate):
     code, _, complaint = operate(write_uncertain(tmp_path / "a.h5"), "--risk", "0.95", "--hz", "30", "--mm", "0.05")
     assert code == 2 and "has its frequency from 4.5 to 18 Hz: a drift of ±30 Hz leaves that from each of its cells" in complaint

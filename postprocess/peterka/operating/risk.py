@@ -86,8 +86,10 @@ def strange_offsets(file: PeterkaFile) -> list[str]:
         relative, values = deviation_of(file, name), values_of(file, along_axes(file), name)
         if relative is None or values is None or not np.isfinite(relative).any():
             continue
-        largest = float(np.max(values))
-        offset = float(np.nanmin(relative)) * largest
+        sizes = np.abs(values)
+        largest = float(np.max(sizes))
+        with np.errstate(invalid="ignore"):
+            offset = float(np.nanmax(relative * sizes))  # of a gap of 0 nothing is relative
         if offset > largest:
             lines.append(f"the offset of the {what} in [uncertainty] has a standard deviation of {offset * factor:.3g} {unit}, and the largest {what} of "
                          f"the map is {largest * factor:.3g} {unit}: most of the rigs drawn lie far outside it; is its unit right?")
