@@ -150,9 +150,8 @@ std::string in_words(const scene::Scene& scene, const CurveSearchResult& found) 
     if (found.curves.empty()) {
         return fmt::format(
             "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and a period of "
-            "up to {} cycles "
-            "(curves.max_period), "
-            "and no stable motion without impacts ends within the window\n",
+            "up to {} cycles (curves.max_period), and no stable motion without impacts ends within the "
+            "window\n",
             title, found.periodic_cells, readable_count(scene.rows() * scene.columns()), job.curves.max_period);
     }
     double largest = 0;

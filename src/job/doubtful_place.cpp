@@ -51,8 +51,8 @@ bool add_length(const char* name, double length_m, double amplitude_m, std::vect
     const double amplitudes = std::abs(length_m) / amplitude_m;
     if (amplitudes <= most_amplitudes) return false;
     texts.push_back(
-        fmt::format("the {} reaches {:.4g} m, {:.0f} amplitudes of the cart: lengths are in metres, "
-                    "{:.4g} mm would be {:.4g} m",
+        fmt::format("the {} reaches {:.4g} m, {:.0f} amplitudes of the cart: lengths are in metres, {:.4g} mm "
+                    "would be {:.4g} m",
                     name, length_m, amplitudes, length_m, length_m / 1000));
     return true;
 }
@@ -87,13 +87,13 @@ void add_pressed_on_stop(const Job& job, const Cells& cells, std::vector<std::st
     const double times = -hardest.gap_ratio() / (fastest * fastest);
     if (times <= many) return;
     const double gap_m = hardest.gap_ratio() * hardest.cart.amplitude_m;
-    texts.push_back(fmt::format(
-        "a gap of {:.4g} m presses the hammer on its stop by {:.4g} N, {:.3g} times what takes it off at the "
-        "highest frequency: a negative gap is a precompression{}",
-        gap_m, -gap_m * hardest.hammer.stiffness(), times,
-        leads_in_si(job, "gap_m")
-            ? fmt::format(", and {:.4g} mm of it would be gap_m = {:.4g}", -gap_m, gap_m / 1000)
-            : " in amplitudes of the cart"));
+    texts.push_back(
+        fmt::format("a gap of {:.4g} m presses the hammer on its stop by {:.4g} N, {:.3g} times what takes it "
+                    "off at the highest frequency: a negative gap is a precompression{}",
+                    gap_m, -gap_m * hardest.hammer.stiffness(), times,
+                    leads_in_si(job, "gap_m")
+                        ? fmt::format(", and {:.4g} mm of it would be gap_m = {:.4g}", -gap_m, gap_m / 1000)
+                        : " in amplitudes of the cart"));
 }
 
 void add_frequency(const Job& job, const Cells& cells, std::vector<std::string>& texts) {
@@ -108,8 +108,7 @@ void add_frequency(const Job& job, const Cells& cells, std::vector<std::string>&
         if (!is_high) return;
         texts.push_back(
             fmt::format("frequency_ratio reaches {:.4g}: it is Omega/omega, the excitation over the natural "
-                        "frequency of the "
-                        "hammer; a frequency in hertz is frequency_hz",
+                        "frequency of the hammer; a frequency in hertz is frequency_hz",
                         highest));
     } else if (is_high) {
         const double hz = *fastest->place.frequency_hz;
@@ -119,10 +118,10 @@ void add_frequency(const Job& job, const Cells& cells, std::vector<std::string>&
                         hz, highest, hz / rad_per_cycle));
     } else if (is_low) {
         const double natural = natural_frequency_hz(fastest->hammer);
-        texts.push_back(fmt::format(
-            "no excitation frequency comes near the hammer's natural one of {0:.4g} Hz, the highest "
-            "is {1:.4g} Hz: frequencies are in hertz, {0:.4g} rad/s would be {2:.4g} Hz",
-            natural, *fastest->place.frequency_hz, natural / rad_per_cycle));
+        texts.push_back(
+            fmt::format("no excitation frequency comes near the hammer's natural one of {0:.4g} Hz, the "
+                        "highest is {1:.4g} Hz: frequencies are in hertz, {0:.4g} rad/s would be {2:.4g} Hz",
+                        natural, *fastest->place.frequency_hz, natural / rad_per_cycle));
     }
 }
 

@@ -77,10 +77,10 @@ void add_cubic(const Cells& cells, std::vector<std::string>& texts) {
     const double of_force = largest(cells, share);
     if (of_force == 0 || of_force >= nothing) return;
     const double cubic = std::ranges::max_element(cells, {}, share)->hammer.cubic_stiffness_n_per_m3;
-    texts.push_back(fmt::format(
-        "the springs' cubic term changes their force by {0:.1g} of it at {1:g} amplitudes of the cart: cubic "
-        "stiffnesses are in N/m^3, {2:.4g} N/mm^3 would be {3:.4g} N/m^3",
-        of_force, amplitudes, cubic, cubic * 1e9));
+    texts.push_back(
+        fmt::format("the springs' cubic term changes their force by {0:.1g} of it at {1:g} amplitudes of the "
+                    "cart: cubic stiffnesses are in N/m^3, {2:.4g} N/mm^3 would be {3:.4g} N/m^3",
+                    of_force, amplitudes, cubic, cubic * 1e9));
 }
 
 // Of the stop over the springs, at a penetration of an amplitude.
@@ -129,13 +129,12 @@ void add_damping_of_stop(const Cells& cells, std::vector<std::string>& texts) {
     const std::string_view unit = nonlinear != nullptr ? "s/m" : "Ns/m";
     const std::string_view other = nonlinear != nullptr ? "s/mm" : "Ns/mm";
     texts.push_back(
-        is_weak
-            ? fmt::format("the stop's damping is {0:.2g} of the critical one and takes hardly anything: it is "
-                          "in {1}, {2:.4g} {3} would be {4:.4g} {1}",
-                          most, unit, given, other, given * 1000)
-            : fmt::format("the stop's damping is {:.3g} times the critical one: it is in {}, its stiffness "
-                          "in N/m",
-                          least, unit));
+        is_weak ? fmt::format("the stop's damping is {0:.2g} of the critical one and takes hardly anything: it "
+                              "is in {1}, {2:.4g} {3} would be {4:.4g} {1}",
+                              most, unit, given, other, given * 1000)
+                : fmt::format(
+                      "the stop's damping is {:.3g} times the critical one: it is in {}, its stiffness in N/m",
+                      least, unit));
 }
 
 }  // namespace

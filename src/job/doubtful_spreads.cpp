@@ -47,8 +47,8 @@ void add_wide(std::string_view name, std::string_view key, double deviation, con
               std::vector<std::string>& texts) {
     if (own.size == 0 || deviation < wide * own.size) return;
     texts.push_back(fmt::format(
-        "uncertainty.{} has a standard deviation of {}, {:.3g} times {}, {}: it has the unit of the "
-        "key, and is no percentage",
+        "uncertainty.{} has a standard deviation of {}, {:.3g} times {}, {}: it has the unit of the key, and "
+        "is no percentage",
         name, with_unit(deviation, key), deviation / own.size, own.size_in_words, with_unit(own.size, key)));
 }
 
@@ -58,8 +58,7 @@ void add_spread(const Job& job, const std::string& name, const Spread& spread,
         if (*spread.relative < wide) return;
         texts.push_back(
             fmt::format("uncertainty.{0}.relative = {1:g} is a standard deviation of {2:g} % of the job's own "
-                        "value: it is a "
-                        "share, not a percentage, {1:g} % is {3:g}",
+                        "value: it is a share, not a percentage, {1:g} % is {3:g}",
                         name, *spread.relative, *spread.relative * 100, *spread.relative / 100));
         return;
     }

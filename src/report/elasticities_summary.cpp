@@ -67,8 +67,7 @@ std::string variance(const job::Job& job, const findings::ElasticityFindings& fi
     }
     return fmt::format(
         "    to first order the drawn rigs spread it by {:.2g} % (standard deviation); of that variance, each "
-        "in the "
-        "median of these orbits: {}\n",
+        "in the median of these orbits: {}\n",
         100 * deviation.front().median, text);
 }
 

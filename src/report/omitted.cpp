@@ -39,8 +39,7 @@ std::string cubic_in_words(const job::Job& job, const findings::Statistics& stat
                                                    : "the orbit";
     return fmt::format(
         "cubic spring: in {} cells, where it changes no label and {} by less than {:g} of it "
-        "(solver.omit_tolerance), or "
-        "where chaos or rounding decides{}",
+        "(solver.omit_tolerance), or where chaos or rounding decides{}",
         readable_count(cells_of(statistics, Engine::exact)), what, job.solver.omit_tolerance,
         kept_in_words(statistics));
 }

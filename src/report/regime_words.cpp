@@ -46,8 +46,7 @@ const char* in_words(regime::Status status) {
             return "the peak force may be off by more than is allowed (solver.tolerance)";
         case Status::chaotic_so_far:
             return "chaotic in all the cycles that a cell is given (steady_state.max_cycles), too few in this "
-                   "rig to tell "
-                   "chaos from a long transient";
+                   "rig to tell chaos from a long transient";
     }
     return "";
 }

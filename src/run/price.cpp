@@ -195,8 +195,7 @@ std::string certificate_price(const job::Job& job) {
                                    readable_duration(all * seconds_per_cell));
     if (job.certificate.attractors) {
         text += fmt::format(
-            "#   proofs   of their attractors: {} of one core for each that a cell has, {} are kept at "
-            "most\n",
+            "#   proofs   of their attractors: {} of one core for each that a cell has, {} are kept at most\n",
             readable_duration(all * orbit), job.starts.attractors);
     }
     return text;
