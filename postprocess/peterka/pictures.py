@@ -11,8 +11,8 @@ from typing import Any
 
 from .files.opened import OpenedFile, Source
 from .maps import (
-    attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, elasticity_map, force_map, last_impact, number_map,
-    peterka_map, proved_map, quantity_map, rate_map, uncertain_map,
+    attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, elasticity_map, force_map, last_impact, life_map,
+    number_map, peterka_map, proved_map, quantity_map, rate_map, uncertain_map,
 )
 from .maps.curves_file import CurvesFile, Lines, UnstableBranch
 from .maps.map_file import PeterkaFile
@@ -77,6 +77,7 @@ PICTURES = [
           _has_share(name))
       for name in attractor_maps.SHARES),
     Row("kick", ("map",), attractor_maps.draw_kick, lambda file: file.has_kicks),
+    Row("life", ("map",), life_map.draw, lambda file: file.has_lives),
     Row("outcome", ("map",), uncertain_map.draw_commonest, lambda file: file.outcome_slots > 0),
     Row("force_q05", ("map",), uncertain_map.draw_force, uncertain_map.has_quantiles),
     *(Row(name, ("map",), partial(uncertain_map.draw_probability, probability=wanted), partial(uncertain_map.has, name=name))

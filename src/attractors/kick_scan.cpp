@@ -152,8 +152,8 @@ std::vector<KickTried> KickScan::round() {
 std::vector<KickTried> KickScan::along_border() {
     std::vector<KickTried> kicks;
     for (int n = 0; n < kicks_of_a_step; ++n) {
-        const double phase = (n % 2 == 0 ? step_ : std::sqrt(step_)) * (random() - 0.5);
-        kicks.push_back(moved(smallest_->phase + phase, smallest_->change * (1 - step_ * random())));
+        const double phase = (n % 2 == 0 ? step_ : std::sqrt(step_)) * (random_.uniform() - 0.5);
+        kicks.push_back(moved(smallest_->phase + phase, smallest_->change * (1 - step_ * random_.uniform())));
     }
     return kicks;
 }
@@ -168,9 +168,9 @@ KickTried KickScan::spread(double least, double most) {
 
 // A kick at a distance of random order of magnitude, and smaller than the bound.
 KickTried KickScan::near(const KickTried& kick) {
-    const double wide = std::exp2(-1 - 10 * random());
-    const double phase = kick.phase + wide * (random() - 0.5);
-    const double change = kick.change + wide * bound() * (random() - 0.5);
+    const double wide = std::exp2(-1 - 10 * random_.uniform());
+    const double phase = kick.phase + wide * (random_.uniform() - 0.5);
+    const double change = kick.change + wide * bound() * (random_.uniform() - 0.5);
     return moved(phase, change);
 }
 
@@ -188,23 +188,13 @@ KickScan::Slow& KickScan::place_of(const KickTried& kick) {
 // The slowest among a random number of random stretches, log-uniform from one to all: the slowest of all lies
 // next to the known part of the border, others next to parts yet to be found.
 const KickScan::Slow& KickScan::slow_one() {
-    const double contenders = std::exp2(random() * std::log2(static_cast<double>(slow_.size())));
+    const double contenders = std::exp2(random_.uniform() * std::log2(static_cast<double>(slow_.size())));
     std::size_t slowest = 0;
     for (int n = 0; n < static_cast<int>(contenders); ++n) {
-        const auto stretch = static_cast<std::size_t>(random() * static_cast<double>(slow_.size()));
+        const auto stretch = static_cast<std::size_t>(random_.uniform() * static_cast<double>(slow_.size()));
         if (n == 0 || slow_[stretch].cycles > slow_[slowest].cycles) slowest = stretch;
     }
     return slow_[slowest];
-}
-
-// SplitMix64 (Steele, Lea & Flood 2014): the same on every machine.
-double KickScan::random() {
-    seed_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t mixed = seed_;
-    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebULL;
-    mixed ^= mixed >> 31U;
-    return static_cast<double>(mixed >> 11U) * 0x1p-53;
 }
 
 }  // namespace peterka::attractors

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "attractors/kicked_orbit.hpp"
+#include "support/random_numbers.hpp"
 
 namespace peterka::attractors {
 
@@ -66,7 +67,6 @@ class KickScan {
     [[nodiscard]] const Slow& slow_one();
     [[nodiscard]] double bound() const { return smallest_ ? smallest_->size() : largest_; }
     [[nodiscard]] double largest_of_level(int level) const;
-    double random();
 
     int period_;
     double largest_;
@@ -86,7 +86,7 @@ class KickScan {
     std::vector<KickTried> tried_;       // the last kicks
     std::vector<Slow> slow_;             // for each stretch of phases, up and down: the kick that took longest
     std::uint64_t spread_ = 0;
-    std::uint64_t seed_ = 0;
+    RandomNumbers random_;
 };
 
 }  // namespace peterka::attractors

@@ -113,6 +113,8 @@ enum class StoredWhen {
     of_uncertain_rigs,
     of_uncertain_rigs_with_forces,
     of_uncertain_rigs_on_rigid_stops,
+    of_disturbed_cells,
+    of_disturbed_attractors,
     on_request
 };
 
@@ -229,6 +231,8 @@ inline constexpr StorageRule of_their_attractors_on_rigid_stops{
 inline constexpr StorageRule of_uncertain_rigs{StoredWhen::of_uncertain_rigs};
 inline constexpr StorageRule of_their_forces{StoredWhen::of_uncertain_rigs_with_forces};
 inline constexpr StorageRule of_their_speeds{StoredWhen::of_uncertain_rigs_on_rigid_stops};
+inline constexpr StorageRule of_disturbed_cells{StoredWhen::of_disturbed_cells};
+inline constexpr StorageRule of_disturbed_attractors{StoredWhen::of_disturbed_attractors};
 inline constexpr StorageRule of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
 constexpr StorageRule force_by(OptionalField field, const char* number) {
@@ -246,6 +250,10 @@ using enum Filled;
 using enum Recorded;
 using enum Dimension;
 
+inline constexpr const char* life_words =
+    "mean life of a settled motion under the disturbances of [noise]: until it would no longer return without them";
+inline constexpr const char* life_least_words =
+    "where no life was seen to end under [noise]: it lasts at least that long, roughly";
 inline constexpr const char* kick_words =
     "smallest sudden change found of the settled hammer's velocity, at all forcing phases, after which it "
     "ends elsewhere";
@@ -334,6 +342,9 @@ inline constexpr Quantity rows[] = {
     {"impact_speed_lower", member([](auto& cell) -> auto& { return cell.impact_speed_lower; }), speed_of_file, speed_lower_words, of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
     {"impact_speed_upper", member([](auto& cell) -> auto& { return cell.impact_speed_upper; }), speed_of_file, speed_upper_words, of_certificates_of_rigid_stops, never, usual, {}, {}, 3},
     {"stability_margin", member([](auto& cell) -> auto& { return cell.stability_margin; }), number, margin_words, of_certificates, never, usual, {}, {}, 3},
+    {"mean_life_s", member([](auto& cell) -> auto& { return cell.mean_life; }), time, life_words, of_disturbed_cells, never, usual, {}, {}, 3},
+    {"mean_life_error_s", member([](auto& cell) -> auto& { return cell.mean_life_error; }), time, "standard error of the mean life", of_disturbed_cells, never, usual, {}, {}, 3},
+    {"mean_life_least_s", member([](auto& cell) -> auto& { return cell.mean_life_least; }), time, life_least_words, of_disturbed_cells, never, usual, {}, {}, 3},
     {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
     {"outcomes", member([](auto& cell) -> auto& { return cell.outcomes; }), number, "different outcomes of the rigs drawn for the cell", of_uncertain_rigs},
@@ -354,8 +365,9 @@ inline constexpr AttractorQuantity attractor_rows[] = {
     {"attractor_period", of_attractor([](auto& attractor) -> auto& { return attractor.period; }), number, "period q of its z = p/q in forcing cycles", always, as_around},
     {"attractor_peak_force_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.peak_force; }), force_over_weight, "its peak impact force over hammer weight, F/(m g0)", always, interpolated},
     {"basin_share", of_attractor([](auto& attractor) -> auto& { return attractor.share; }), number, "share of the cell's starts that end on it"},
-    {"mean_life_s", of_attractor([](auto& attractor) -> auto& { return attractor.mean_life; }), time, "of chaos from which starts of the cell were seen to escape: its mean life", always, never, usual, {}, {}, 3},
+    {"mean_life_s", of_attractor([](auto& attractor) -> auto& { return attractor.mean_life; }), time, "of chaos from which starts of the cell were seen to escape, and of settled motions under the disturbances of [noise]: its mean life", always, never, usual, {}, {}, 3},
     {"mean_life_error_s", of_attractor([](auto& attractor) -> auto& { return attractor.mean_life_error; }), time, "standard error of the mean life", always, never, usual, {}, {}, 3},
+    {"mean_life_least_s", of_attractor([](auto& attractor) -> auto& { return attractor.mean_life_least; }), time, life_least_words, of_disturbed_attractors, never, usual, {}, {}, 3},
     {"critical_kick", of_attractor([](auto& attractor) -> auto& { return attractor.kick.size; }), speed, kick_words, of_kicks},
     {"critical_kick_phase", of_attractor([](auto& attractor) -> auto& { return attractor.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_tried", of_attractor([](auto& attractor) -> auto& { return attractor.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},

@@ -89,6 +89,10 @@ struct Result {
     std::int32_t forgot_after = 0;
     Kick kick = {};  // on request, in a job without [starts]: of the orbit on which this cell ends
     Elasticities elasticities = no_elasticities;  // on request
+    // Under random disturbances (noise/mean_life.hpp), in a job without [starts], in 1/omega: of a settled motion.
+    double mean_life = unknown;
+    double mean_life_error = unknown;
+    double mean_life_least = unknown;
     // Of the rigs drawn for the cell (attractors/outcomes.hpp); the quantiles have the file's units in both
     // types.
     std::int32_t outcomes = 0;   // different ones
@@ -115,10 +119,12 @@ struct Attractor {
     std::int32_t period = -1;
     double peak_force = unknown;  // F/(k A0)
     double share = 0;             // of the cell's starts
-    // For chaos from which starts of the cell were seen to escape: its mean life and the standard error of the
-    // mean life, in 1/omega.
+    // For chaos from which starts of the cell were seen to escape, and under random disturbances for settled
+    // motions: its mean life and the standard error of the mean life, in 1/omega; and where none was seen to end,
+    // how long it is at least, roughly.
     double mean_life = unknown;
     double mean_life_error = unknown;
+    double mean_life_least = unknown;
     // On request, for periodic attractors.
     Kick kick = {};
     double orbit_displacement = unknown;  // as in a cell's result

@@ -43,12 +43,15 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
     counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
     for (const StoredAttractor& each : all) {
-        if (std::isnan(each.mean_life)) continue;
+        if (std::isnan(each.mean_life) || cell::has_period(each.regime)) continue;
         ++counts.dying;
         counts.shortest.take({each.mean_life, each.mean_life_error, place.row, place.column});
     }
     // a rigid stop's attractors have no computed peak to compare
-    for (const StoredAttractor& each : all) counts.proofs.add(each, each.peak_force);
+    for (const StoredAttractor& each : all) {
+        counts.proofs.add(each, each.peak_force);
+        counts.lives.add(each, place.row, place.column);
+    }
     add_kick(counts.kicks, all);
     if (here.size() < 2) return;
     const AttractorLabel first = label_of(here[0]);
@@ -72,6 +75,7 @@ void StartCounts::add(const StartCounts& other) {
     shortest.take(other.shortest);
     kicks.add(other.kicks);
     proofs.add(other.proofs);
+    lives.add(other.lives);
 }
 
 void add_attractors(StartFindings& findings, const parallel::Tile& tile,
@@ -81,15 +85,19 @@ void add_attractors(StartFindings& findings, const parallel::Tile& tile,
     std::vector<StoredAttractor> here;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         if (cells[cell].attractors < 0) continue;
-        if (slots == 0) add_kick(findings.counts.kicks, cells[cell]);
+        const auto position = static_cast<std::int64_t>(cell);
+        const parallel::CellIndex place{tile.row + position / tile.extent.columns,
+                                        tile.column + position % tile.extent.columns};
+        if (slots == 0) {
+            add_kick(findings.counts.kicks, cells[cell]);
+            findings.counts.lives.add(cells[cell], place.row, place.column);
+        }
         here.clear();
         for (std::size_t slot = 0; slot < slots; ++slot) {
             const StoredAttractor& attractor = attractors[slot * cells.size() + cell];
             if (is_in_use(attractor)) here.push_back(attractor);
         }
-        const auto position = static_cast<std::int64_t>(cell);
-        add_cell(findings, cells[cell], here,
-                 {tile.row + position / tile.extent.columns, tile.column + position % tile.extent.columns});
+        add_cell(findings, cells[cell], here, place);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "findings/kick_counts.hpp"
+#include "findings/life_findings.hpp"
 #include "findings/proof_findings.hpp"
 #include "parallel/tiles.hpp"
 #include "quantities/fields.hpp"
@@ -44,6 +45,7 @@ struct StartCounts {
     ShortestLife shortest;
     KickCounts kicks;      // also without [starts]
     ProofFindings proofs;  // of the attractors
+    LifeFindings lives;    // under [noise], also without [starts]
 
     void add(const StartCounts& other);
 };

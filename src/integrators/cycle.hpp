@@ -227,8 +227,7 @@ Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, 
 template <class Stepper>
 Cycle<double> CycleIntegration<Stepper>::striking_cycle(const State<double>& x, double from, double to,
                                                         Recorder<double>* recorder) {
-    Journey<double> journey = course_->depart(x);
-    journey.time = from;
+    Journey<double> journey = course_->depart(x, from);
     const auto flight = [&](Journey<double>& flying, double end_time) {
         return fly(flying, end_time, recorder);
     };

@@ -183,6 +183,18 @@ struct Certificate {
     friend bool operator==(const Certificate&, const Certificate&) = default;
 };
 
+// Random disturbances under which mean lives are estimated (noise/mean_life.hpp).
+struct Noise {
+    double acceleration_m_s2_per_sqrt_hz = 0;  // of the hammer, as a one-sided amplitude spectral density
+    double amplitude_relative = 0;             // standard deviation of the cart's amplitude, cycle by cycle
+    double frequency_relative = 0;             // of the excitation frequency
+    std::int64_t cycles = 100'000;             // computed for each motion, roughly [forcing cycles]
+    [[nodiscard]] bool any() const {
+        return acceleration_m_s2_per_sqrt_hz > 0 || amplitude_relative > 0 || frequency_relative > 0;
+    }
+    friend bool operator==(const Noise&, const Noise&) = default;
+};
+
 // Refinement of a map: first every 2^levels-th cell, then, at each finer stride, only cells that their
 // surroundings do not determine.
 struct Refine {
@@ -289,6 +301,7 @@ struct Job {
     Output output;
     Audit audit;
     Certificate certificate;  // map, basin, sweep and curves
+    Noise noise;              // map or sweep
     Refine refine;            // map only
     Starts starts;            // map or sweep
     Uncertainty uncertainty;  // map or sweep

@@ -128,6 +128,13 @@ std::string rule_of_kick(const Job& job) {
                                      "theirs; take a map of this operating point, or remove the field";
 }
 
+std::string rule_of_noise(const Noise& noise) {
+    if (noise.any()) return {};
+    return "[noise] has nothing that disturbs; without it settled motions last for ever; set "
+           "noise.acceleration_m_s2_per_sqrt_hz, "
+           "noise.amplitude_relative or noise.frequency_relative, or remove this table";
+}
+
 std::string rule_of_proved_attractors(const Job& job) {
     if (!job.certificate.attractors) return {};
     if (job.kind != Kind::map || job.starts.count == 0) {

@@ -34,6 +34,8 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_room(const Job& job);
 // A basin's cells share their attractors, and a sweep without [starts] looks for none.
 [[nodiscard]] std::string rule_of_kick(const Job& job);
+// For a table of noise: something must disturb.
+[[nodiscard]] std::string rule_of_noise(const Noise& noise);
 // Only a map's cells with many starts have attractors of their own.
 [[nodiscard]] std::string rule_of_proved_attractors(const Job& job);
 // Elasticities: of a force, or of an impact speed on a rigid stop; of orbits with linear contacts.

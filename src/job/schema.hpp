@@ -13,6 +13,7 @@
 #include "job/schema_cell_of_map.hpp"
 #include "job/schema_curves.hpp"
 #include "job/schema_map.hpp"
+#include "job/schema_noise.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_rig.hpp"
 #include "job/schema_settings.hpp"
@@ -75,13 +76,14 @@ void describe(Walker& file, Job& job) {
     if (job.cell.map.empty()) describe_rig(file, job);
 
     if (!kind_is_known) {
-        file.skip({"axes", "start", "operating_point", "refine", "starts", "uncertainty", "sweep", "study",
-                   "trace", "curves", "basin"});
+        file.skip({"axes", "start", "operating_point", "refine", "starts", "uncertainty", "noise", "sweep",
+                   "study", "trace", "curves", "basin"});
     }
     if (kind_is_known && job.kind == Kind::map) {
         describe_map(file, job);
         describe_starts(file, job);
         describe_uncertainty(file, job);
+        describe_noise(file, job);
     }
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
     if (kind_is_known && job.kind == Kind::sweep) describe_sweep(file, job);

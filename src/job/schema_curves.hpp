@@ -75,6 +75,7 @@ void describe_curves(Walker& file, Job& job) {
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");
     describe_starts(file, job);
     file.refuse("uncertainty", "is for maps and sweeps; curves are those of one rig; remove this table");
+    file.refuse("noise", "is for maps and sweeps; curves are those of undisturbed motions; remove this table");
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
     file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
     describe_certificate_of_curves(file, job);

@@ -147,6 +147,10 @@ void describe_basin(Walker& file, Job& job) {
                });
     file.refuse("starts", "is for maps; every cell of a basin is a start; remove this table");
     file.refuse("uncertainty", "is for maps and sweeps; a basin is that of one rig; remove this table");
+    file.refuse(
+        "noise",
+        "is for maps and sweeps; its lives are those of attractors, which the cells of a basin share; take a "
+        "map of this operating point, or remove this table");
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
     file.refuse("refine",
                 "is for maps; the edges of basins are fractal, so every start is computed; remove this table");

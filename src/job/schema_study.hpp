@@ -90,6 +90,8 @@ void describe_study(Walker& file, Job& job) {
     describe_plain_output(file, job.output, "are for maps; a study has fields of its own; remove this key");
     file.refuse("uncertainty",
                 "is for maps and sweeps; a study compares engines on one rig; remove this table");
+    file.refuse("noise",
+                "is for maps and sweeps; a study compares engines on undisturbed motions; remove this table");
     file.refuse("starts", "is for maps; a study compares single starts; remove this table");
     file.refuse("refine", "is for maps; a study compares computed cells; remove this table");
     file.refuse("audit", "is for maps; a study is an audit itself; remove this table");

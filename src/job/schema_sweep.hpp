@@ -6,6 +6,7 @@
 #include "job/names.hpp"
 #include "job/rules.hpp"
 #include "job/schema_map.hpp"
+#include "job/schema_noise.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_starts.hpp"
 #include "job/schema_uncertainty.hpp"
@@ -69,6 +70,7 @@ void describe_sweep(Walker& file, Job& job) {
     describe_start(file, job);
     describe_starts(file, job);
     describe_uncertainty(file, job);
+    describe_noise(file, job);
     file.refuse("refine", "is for maps; every point of a sweep starts from the one before; remove this table");
     file.rule({"axes", "sweep", "starts"}, [&] { return rule_of_samples(job); });
     file.rule({"axes", "sweep", "operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });

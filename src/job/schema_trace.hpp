@@ -84,6 +84,7 @@ void refuse_other_tables_in_trace(Walker& file) {
         "belongs to a map or basin; a trace follows one cell, see [operating_point]; remove this table");
     file.refuse("starts", "is for maps; a trace follows one start; remove this table");
     file.refuse("uncertainty", "is for maps and sweeps; a trace follows one rig; remove this table");
+    file.refuse("noise", "is for maps and sweeps; a trace follows an undisturbed motion; remove this table");
     file.refuse("refine", "is for maps; a trace follows one cell; remove this table");
     file.refuse("audit", "is for maps; a trace follows one cell with one engine; remove this table");
     file.refuse("certificate",

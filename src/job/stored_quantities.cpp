@@ -38,6 +38,10 @@ bool keeps(const Job& job, cell::StoredWhen kept) {
             return job.uncertainty.rigs > 0 && !is_rigid(job.contact);
         case cell::StoredWhen::of_uncertain_rigs_on_rigid_stops:
             return job.uncertainty.rigs > 0 && is_rigid(job.contact);
+        case cell::StoredWhen::of_disturbed_cells:
+            return job.noise.any() && job.starts.count == 0;
+        case cell::StoredWhen::of_disturbed_attractors:
+            return job.noise.any() && job.starts.count > 0;
         case cell::StoredWhen::on_request:
             break;
     }

@@ -17,6 +17,7 @@
 #include "report/closing_lines.hpp"
 #include "report/elasticities_summary.hpp"
 #include "report/kicks_summary.hpp"
+#include "report/lives_summary.hpp"
 #include "report/long_chaos.hpp"
 #include "report/outcomes_summary.hpp"
 #include "report/regime_words.hpp"
@@ -169,6 +170,7 @@ std::string summary_text(const SummaryInput& input) {
            starts_summary(input.scene, input.findings.statistics.starts) +
            outcomes_summary(input.scene.job(), input.findings.statistics.outcomes) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
+           lives_summary(input.scene, input.findings.statistics.starts.counts.lives) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            elasticities_summary(input.scene.job(), input.findings.statistics) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + input.borders +

@@ -160,7 +160,7 @@ std::string check_job(const Request& request) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
-               "{}{}{}{}{}{}{}{}{}{}{}"
+               "{}{}{}{}{}{}{}{}{}{}{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks; {} is left here\n"
                "#   file     {}, {} ({})\n"
@@ -168,9 +168,10 @@ std::string check_job(const Request& request) {
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, cell_text(traced), refine_text(job),
                branches_text(job), rigs_text(job), starts_text(job), starts_price(job), rigs_price(job),
-               time_price(job), long_chaos_price(job), certificate_price(job), crossings_price(job),
-               readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
-               readable_bytes(memory_per_rank(job)), readable_bytes(memory_left_to_all().bytes), file.string(),
+               time_price(job), long_chaos_price(job), noise_price(job), certificate_price(job),
+               crossings_price(job), readable_count(tiling.count()), tiling.largest_tile().rows,
+               tiling.largest_tile().columns, readable_bytes(memory_per_rank(job)),
+               readable_bytes(memory_left_to_all().bytes), file.string(),
                readable_bytes(map_file::predicted_bytes(job)), free_space_text(file), remarks_text(job)) +
            job::resolved_text(job, origins);
 }

@@ -14,6 +14,7 @@
 #include "parallel/collective.hpp"
 #include "quantities/fields.hpp"
 #include "run/certify_cell.hpp"
+#include "run/mean_lives.hpp"
 #include "support/stop_if_asked.hpp"
 
 namespace peterka {
@@ -161,6 +162,7 @@ class Rows {
         for (const auto& each : found) {
             cell::CellAttractor attractor = attractors::without_share(each.result);
             certify_attractor(scene_.job(), row, column, attractor);
+            add_mean_life(scene_, row, column, attractor);
             known.push_back(quantities::in_file_units(attractor, scales));
         }
         std::ranges::stable_sort(known, {}, [](const quantities::StoredAttractor& slot) {

@@ -30,6 +30,9 @@ namespace peterka {
 // The number of rigs drawn for [uncertainty], as a line of check; empty if there are none.
 [[nodiscard]] std::string rigs_price(const job::Job& job);
 
+// What following the settled motions under [noise] costs, as a line of check; empty without it.
+[[nodiscard]] std::string noise_price(const job::Job& job);
+
 // The cost of telling chaos from a long transient where max_cycles are too few for that in this rig, as a line
 // of check; empty if they suffice.
 [[nodiscard]] std::string long_chaos_price(const job::Job& job);

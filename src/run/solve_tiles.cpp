@@ -9,6 +9,7 @@
 #include "attractors/multi_start_pool.hpp"
 #include "run/certify_cell.hpp"
 #include "run/elasticities.hpp"
+#include "run/mean_lives.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -75,11 +76,14 @@ class TileSolver {
         open.results[i] = std::move(cell.cell);
         open.seconds += cell.seconds;
         const auto [row, column] = open.cells[i];
-        if (elasticities_.any() || wants_certificate(scene_.job(), row, column)) {
+        if (elasticities_.any() || scene_.job().noise.any() || wants_certificate(scene_.job(), row, column)) {
             const Stopwatch afterwards;  // reading the clock takes as long as solving a cell without impact
             certify_cell(scene_.job(), row, column, open.results[i].cell);
-            for (attractors::CellAttractor& attractor : open.results[i].attractors)
+            add_mean_life(scene_, row, column, open.results[i].cell);
+            for (attractors::CellAttractor& attractor : open.results[i].attractors) {
                 certify_attractor(scene_.job(), row, column, attractor);
+                add_mean_life(scene_, row, column, attractor);
+            }
             elasticities_.add_to(row, column, open.results[i].cell);
             open.seconds += afterwards.seconds();
         }

@@ -8,6 +8,7 @@
 #include "regime/branch.hpp"
 #include "run/certify_cell.hpp"
 #include "run/elasticities.hpp"
+#include "run/mean_lives.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -61,12 +62,19 @@ std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whol
                 poll();
                 certify_cell(scene.job(), row, static_cast<std::int64_t>(column), branch[column].cell);
                 elasticities.add_to(row, static_cast<std::int64_t>(column), branch[column].cell);
+                add_mean_life(scene, row, static_cast<std::int64_t>(column), branch[column].cell);
             }
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));
         }
         if (scene.job().starts.count > 0) name_attractors(points, attractors, scene.job().starts.attractors);
         if (scene.job().uncertainty.rigs > 0) tell_of_rigs(points, attractors);
+        for (std::size_t column = 0; column < attractors.size(); ++column) {
+            for (attractors::CellAttractor& each : attractors[column].kept) {
+                poll();
+                add_mean_life(scene, tile.row, static_cast<std::int64_t>(column), each);
+            }
+        }
         file.write_branches(tile, points, attractors, stopwatch.seconds());
     };
 }

@@ -27,8 +27,7 @@ class ExactCycleMap {
 
     // Part of a cycle: from the state x at tau = from to a later tau = to.
     [[nodiscard]] Cycle<Real> part(const State<Real>& x, Real from, Real to) const {
-        Journey<Real> journey = legs_.depart(x);
-        journey.time = from;
+        Journey<Real> journey = legs_.depart(x, from);
         if (legs_.run(journey, to, nullptr)) legs_.arrive(journey, nullptr);
         return journey.cycle;
     }

@@ -42,7 +42,12 @@ class LinearLegs {
         : LinearLegs(oscillator, change(motion::flight_equation(oscillator)),
                      change(motion::contact_equation(oscillator))) {}
 
-    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return {oscillator_, x}; }
+    // From a state at a time since the cycle began.
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x, Real from = 0) const {
+        Journey<Real> journey(oscillator_, x);
+        journey.time = from;
+        return journey;
+    }
 
     // Runs through all events until `end`, in tau since the cycle began. False if it fails; the cycle says why.
     bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;

@@ -25,7 +25,8 @@ class RigidCourse {
 
     [[nodiscard]] const RigidStop<Real>& stop() const { return stop_; }
 
-    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const;
+    // From a state at a time since the cycle began.
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x, Real from = 0) const;
 
     // Runs through all events until `end`, in tau since the cycle began. False if it fails; the cycle says why.
     // fly(journey, end) flies to the next impact, without executing it, or to the end; it is false if the
@@ -47,12 +48,17 @@ class RigidCourse {
 };
 
 template <class Real>
-Journey<Real> RigidCourse<Real>::depart(const State<Real>& x) const {
+Journey<Real> RigidCourse<Real>::depart(const State<Real>& x, Real from) const {
     // a start on the stop may be off by the rounding of its position
     const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(oscillator_.gap));
     Journey<Real> journey(oscillator_, x[0] > 0 && x[0] <= rounding ? State<Real>(0, x[1]) : x);
     journey.chain = chain_at_start(stop_, journey.cycle.pattern);
     if (x[0] > rounding) journey.stop(Cycle<Real>::Outcome::inside_stop);
+    if (from > 0) {
+        const bool rests = journey.cycle.end[0] == 0 && x[1] == 0;
+        journey.phase = rests && stop_.presses(oscillator_.frequency * from) ? Phase::contact : Phase::flight;
+        journey.time = journey.rest_from = from;
+    }
     return journey;
 }
 

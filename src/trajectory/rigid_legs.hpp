@@ -28,7 +28,10 @@ class RigidLegs {
     RigidLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)
         : RigidLegs(oscillator, change(motion::flight_equation(oscillator))) {}
 
-    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return course_.depart(x); }
+    // From a state at a time since the cycle began.
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x, Real from = 0) const {
+        return course_.depart(x, from);
+    }
 
     // Runs through all events until `end`, in tau since the cycle began. False if it fails; the cycle says why.
     bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const {

@@ -66,8 +66,7 @@ class SplitCycleMap {
     [[nodiscard]] Cycle<Real> part(const State<Real>& x, Real from, Real to) const {
         if (steps_ < 1) return {.outcome = Cycle<Real>::Outcome::solver_failed, .end = x};
         const Real length = oscillator_.period() / Real(steps_);
-        Journey<Real> journey = legs_.front().depart(x);
-        journey.time = from;
+        Journey<Real> journey = legs_.front().depart(x, from);
         for (int step = std::min(static_cast<int>(from / length), steps_ - 1); journey.time < to; ++step) {
             const Real begin = journey.time;
             const Real end = step + 1 < steps_ ? std::min(to, length * Real(step + 1)) : to;

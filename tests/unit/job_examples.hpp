@@ -42,6 +42,10 @@ inline Job map() {
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}, .anonymous = true};
     job.audit = {.cells = 150};
     job.certificate = {.cells = every_cell};
+    job.noise = {.acceleration_m_s2_per_sqrt_hz = 0.05,
+                 .amplitude_relative = 0.01,
+                 .frequency_relative = 0.002,
+                 .cycles = 20'000};
     job.refine = {.levels = 2};
     job.starts = {
         .count = 65, .displacement_ratio = {-4.5, 0.5}, .velocity_ratio = {-3.5, 3.0}, .attractors = 9};
@@ -76,6 +80,7 @@ inline Job basin() {
     job.rows = {.from = 0.75, .to = 5.25, .points = 22};
     job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
     job.start = {};
+    job.noise = {};
     job.refine = {};
     job.starts = {};
     return job;
@@ -105,6 +110,7 @@ inline Job study(StudyTopic topic) {
     job.output = {};
     job.audit = {};
     job.certificate = {};
+    job.noise = {};
     job.refine = {};
     job.starts = {};
     job.limits = {};
@@ -131,6 +137,7 @@ inline Job trace() {
     job.output = {};
     job.audit = {};
     job.certificate = {};
+    job.noise = {};
     job.refine = {};
     job.starts = {};
     job.limits = {};

@@ -54,6 +54,11 @@ anonymous = true
 cells = 150
 [certificate]
 cells = "all"
+[noise]
+acceleration_m_s2_per_sqrt_hz = 0.05
+amplitude_relative = 0.01
+frequency_relative = 0.002
+cycles = 20000
 [refine]
 levels = 2
 [starts]
@@ -103,6 +108,10 @@ const std::map<std::string, std::string> other_values{
     {"audit.cells", "151"},
     {"certificate.cells", "12"},
     {"certificate.starts", "true"},
+    {"noise.acceleration_m_s2_per_sqrt_hz", "0.06"},
+    {"noise.amplitude_relative", "0.02"},
+    {"noise.frequency_relative", "0.003"},
+    {"noise.cycles", "30000"},
     {"refine.levels", "3"},
     {"starts.count", "66"},
     {"starts.displacement_ratio", "[-4.5, 0.25]"},

@@ -66,6 +66,12 @@ class RandomJobs {
         job.certificate.starts = coin();
         job.certificate.attractors = coin();
         if (!rule_of_proved_attractors(job).empty()) job.certificate.attractors = false;
+        if (coin() && (job.kind == Kind::map || job.kind == Kind::sweep)) {
+            job.noise.acceleration_m_s2_per_sqrt_hz = uniform(0, 1e3);
+            job.noise.amplitude_relative = uniform(0, 0.1);
+            job.noise.frequency_relative = uniform(0, 0.1);
+            job.noise.cycles = integer(1'000, 1'000'000'000);
+        }
         job.limits.failed_cells = integer(0, std::numeric_limits<std::int64_t>::max());
         return job;
     }

@@ -79,8 +79,9 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
 TEST(OutputFields, EveryOptionalFieldBringsARowAndEveryRowHasItsOwnName) {
     job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    EXPECT_EQ(all.size(), cell::quantities.size() - 9)
-        << "all but the jump of a sweep, the kick of a cell without [starts], and the forces of drawn rigs, "
+    EXPECT_EQ(all.size(), cell::quantities.size() - 12)
+        << "all but the jump of a sweep, the kick and the life of a cell without [starts], and the forces of "
+           "drawn rigs, "
            "whose speeds "
            "take their place on a rigid stop";
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());

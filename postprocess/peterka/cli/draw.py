@@ -14,7 +14,7 @@ lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean 
 last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only 300 cycles, or
 --after, would see. A map with [starts] gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most
 starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
-where kicks are stored, STEM_kick.
+where kicks are stored, STEM_kick; a map with [noise] gives STEM_life, the mean life of settled motions.
 A map with force_elasticity or speed_elasticity gives STEM_elasticity_... (% per %) for each number by which it has one, where it tells
 the rig STEM_force_per_... or STEM_speed_per_... (N per Hz, N per mm, N per kN/m, ...), and STEM_depends_most: the number that matters
 most, with [uncertainty] as far as it is uncertain.

@@ -18,7 +18,7 @@ import numpy as np
 STACKED = {"attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share",
            "critical_kick", "critical_kick_phase", "critical_kick_tried", "critical_kick_direction", "critical_kick_lower", "attractor_status",
            "attractor_orbit_displacement", "attractor_orbit_velocity", "attractor_certified", "attractor_peak_force_lower_ratio",
-           "attractor_peak_force_upper_ratio", "attractor_impact_speed_lower", "attractor_impact_speed_upper", "attractor_stability_margin", "mean_life_s", "mean_life_error_s", "outcome_regime", "outcome_impacts",
+           "attractor_peak_force_upper_ratio", "attractor_impact_speed_lower", "attractor_impact_speed_upper", "attractor_stability_margin", "mean_life_s", "mean_life_error_s", "mean_life_least_s", "outcome_regime", "outcome_impacts",
            "outcome_period", "outcome_probability"}
 SPARE = 2**28  # bytes allowed for reading small items, beyond the file's own length
 

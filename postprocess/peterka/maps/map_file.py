@@ -49,6 +49,7 @@ SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_p
 SLOT_PROOFS = "attractor_certified"  # the same, with certificate.attractors
 # Optional: for the attractors, or for the cells of a map without [starts].
 KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
+LIVES = {"mean_life_s": REAL, "mean_life_least_s": REAL}  # likewise, of a job with [noise]
 BOUNDS = {"impact_speed_lower", "impact_speed_upper", "critical_kick_lower"}  # told beside what they bound, no pictures of their own
 MAX_SLOTS = 64
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits into some tens of megabytes
@@ -72,8 +73,8 @@ class Axis:
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
     QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), elasticities (names of datasets), has_chatter, has_last_impact, is_refined, has_proofs, has_slot_proofs (of SLOTS), attractors,
-    audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
-    of the cell; outcome_slots, the number of outcomes kept for each cell (0 without [uncertainty])."""
+    audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks, has_lives: KICKS
+    and LIVES, of each of these, or of the cell; outcome_slots, the number of outcomes kept for each cell (0 without [uncertainty])."""
 
     coordinates = COORDINATES  # for each kind that this class reads
 
@@ -148,10 +149,8 @@ class PeterkaFile(OpenedFile):
         if self.has_slot_proofs:
             self.data.dataset(SLOT_PROOFS, (self.slots, *self.shape), INTEGER)
         self.outcome_slots = check_outcomes(self.data, self.shape, MAX_POINTS**2 * MAX_SLOTS) if self.kind == "map" else 0
-        self.has_kicks = self.kind == "map" and all(self.data.has(name) for name in KICKS)
-        if self.has_kicks:
-            for name, kind in KICKS.items():
-                self.data.dataset(name, ((self.slots,) if self.slots else ()) + self.shape, kind)
+        self.has_kicks = self._has_of_motions(KICKS)
+        self.has_lives = self._has_of_motions(LIVES)
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
 
     def _coordinates(self) -> tuple[str, str]:
@@ -159,6 +158,13 @@ class PeterkaFile(OpenedFile):
         if len(names) == 2 and all(self.data.has(name) for name in names):
             return names[1], names[0]
         return self.coordinates[self.kind]
+
+    def _has_of_motions(self, names: Mapping[str, Any]) -> bool:
+        """Whether a map has these of its attractors, or of its cells without [starts]."""
+        has_all = self.kind == "map" and all(self.data.has(name) for name in names)
+        for name, kind in names.items() if has_all else ():
+            self.data.dataset(name, ((self.slots,) if self.slots else ()) + self.shape, kind)
+        return has_all
 
     def _has_integers(self, name: str) -> bool:
         if self.data.has(name):
@@ -178,7 +184,7 @@ class PeterkaFile(OpenedFile):
         return int(slots[0])
 
     def _is_stacked(self, name: str) -> bool:
-        return name in SLOTS or name == SLOT_PROOFS or name in OUTCOMES or (name in KICKS and self.slots > 0)
+        return name in SLOTS or name == SLOT_PROOFS or name in OUTCOMES or (name in {**KICKS, **LIVES} and self.slots > 0)
 
     def _check_quantity(self, name: str) -> None:
         self.data.dataset(name, self.shape, REAL)

@@ -29,6 +29,7 @@ MOST_LABELS = 65536
 LABELS = ("regime", "impacts", "period")
 TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", "cycles": "cycles spent",
           "contact_power_w": "contact power", "mean_life_s": "mean life", "mean_life_error_s": "mean life error",
+          "mean_life_least_s": "least mean life",
           "force_q05_ratio": "force that 95 % of drawn rigs reach", "force_q50_ratio": "median force of drawn rigs",
           "force_q95_ratio": "force that 5 % of drawn rigs exceed", "speed_q05": "impact speed that 95 % of drawn rigs reach",
           "speed_q50": "median impact speed of drawn rigs", "speed_q95": "impact speed that 5 % of drawn rigs exceed",

@@ -1,0 +1,125 @@
+#include "noise/disturbed_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "trajectory/cycle.hpp"
+
+namespace peterka::noise {
+
+namespace {
+
+using Cycle = trajectory::Cycle<double>;
+using State = scene::State<double>;
+using Jacobian = scene::Jacobian<double>;
+
+int changes_of(double period) {
+    constexpr int fewest = 16;
+    return std::max(fewest, static_cast<int>(std::ceil(period / (std::numbers::pi / 4))));
+}
+
+// The oscillator in lengths that are `scale` times as large.
+scene::Oscillator<double> rescaled(scene::Oscillator<double> oscillator, double scale) {
+    oscillator.gap /= scale;
+    oscillator.cubic *= scale * scale;
+    if (auto* stop = std::get_if<scene::HuntCrossley<double>>(&oscillator.contact)) {
+        stop->stiffness *= std::pow(scale, stop->exponent - 1);
+        stop->dissipation *= scale;
+    }
+    return oscillator;
+}
+
+}  // namespace
+
+DisturbedMap::DisturbedMap(const scene::Oscillator<double>& oscillator, const regime::EngineSettings& settings,
+                           const Disturbance& disturbance)
+    : oscillator_(oscillator),
+      settings_(settings),
+      disturbance_(disturbance),
+      changes_(changes_of(oscillator.period())),
+      size_(disturbance.speed * std::sqrt(oscillator.period() / changes_)),
+      usual_(cart_of({})),
+      last_(cart_of({})) {}
+
+DisturbedMap::Cart DisturbedMap::cart_of(const Deviations& deviations) const {
+    const double scale = 1 + deviations.amplitude;
+    scene::Oscillator<double> oscillator = rescaled(oscillator_, scale);
+    oscillator.frequency *= 1 + deviations.frequency;
+    return {.deviations = deviations,
+            .scale = scale,
+            .speed = scale * oscillator.frequency,
+            .period = oscillator.period(),
+            .map = regime::make_cycle_map(oscillator, settings_)};
+}
+
+DisturbedMap::Cart& DisturbedMap::use(const Deviations& deviations) {
+    if (deviations == usual_.deviations) return usual_;
+    if (deviations != last_.deviations) last_ = cart_of(deviations);
+    return last_;
+}
+
+// from, to: parts of the cycle.
+bool DisturbedMap::carry(Cart& cart, State& state, double from, double to, Jacobian* jacobian) {
+    const State scaled = state / cart.scale;
+    const Cycle part = std::visit(
+        [&](auto& map) -> Cycle { return map.part(scaled, from * cart.period, to * cart.period); }, cart.map);
+    state = part.end * cart.scale;
+    if (jacobian != nullptr) *jacobian = part.jacobian;
+    return part.outcome == Cycle::Outcome::done;
+}
+
+void DisturbedMap::begin(DisturbedState& motion, const Deviations& cart) {
+    motion.cart = cart;
+    motion.state[1] -= use(cart).speed - usual_.speed;
+}
+
+// The rest of a cycle.
+bool DisturbedMap::finish(DisturbedState& motion) {
+    Cart& cart = use(motion.cart);
+    if (!carry(cart, motion.state, passed(motion.changes), 1)) return false;
+    motion.state[1] += cart.speed - usual_.speed;
+    motion.cart = {};
+    motion.changes = 0;
+    return true;
+}
+
+bool DisturbedMap::advance(DisturbedState& motion, RandomNumbers& random) {
+    if (motion.changes == changes_) return finish(motion);
+    if (motion.at_phase_0() && (disturbance_.amplitude > 0 || disturbance_.frequency > 0)) {
+        const double amplitude = random.normal();
+        begin(motion, {disturbance_.amplitude * amplitude, disturbance_.frequency * random.normal()});
+    }
+    const double from = passed(motion.changes);
+    ++motion.changes;
+    if (!carry(use(motion.cart), motion.state, from, passed(motion.changes))) return false;
+    if (size_ > 0) motion.state[1] += size_ * random.normal();
+    return true;
+}
+
+std::optional<State> DisturbedMap::at_next_phase_0(const DisturbedState& motion) {
+    DisturbedState end = motion;
+    if (!finish(end)) return std::nullopt;
+    return end.state;
+}
+
+std::optional<State> DisturbedMap::deviating(const State& start, const Deviations& cart) {
+    DisturbedState motion{start};
+    begin(motion, cart);
+    return at_next_phase_0(motion);
+}
+
+std::optional<DisturbedMap::Linear> DisturbedMap::linear(const State& start) {
+    Linear cycle{start, Jacobian::Identity(), Jacobian::Zero()};
+    for (int n = 0; n <= changes_; ++n) {
+        Jacobian flow;
+        if (!carry(usual_, cycle.end, passed(n), n < changes_ ? passed(n + 1) : 1, &flow)) return std::nullopt;
+        cycle.jacobian = flow * cycle.jacobian;
+        cycle.covariance = flow * cycle.covariance * flow.transpose();
+        if (n < changes_) cycle.covariance(1, 1) += size_ * size_;
+    }
+    return cycle;
+}
+
+}  // namespace peterka::noise

@@ -1,0 +1,164 @@
+#include "noise/home.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace peterka::noise {
+
+namespace {
+
+using Matrix = scene::Jacobian<double>;
+using State = scene::State<double>;
+
+using Linear = DisturbedMap::Linear;
+
+// What a cycle of a cart that deviates by a standard deviation changes in the state at its end, to first order.
+std::optional<State> effect_of(DisturbedMap& map, const State& start, const Deviations& of_one) {
+    constexpr double small = 1e-6;  // smooth but at grazings, and well above rounding
+    const double share = small / std::max(of_one.amplitude, of_one.frequency);
+    const auto more = map.deviating(start, {share * of_one.amplitude, share * of_one.frequency});
+    const auto less = map.deviating(start, {-share * of_one.amplitude, -share * of_one.frequency});
+    if (!more || !less) return std::nullopt;
+    return (*more - *less) / (2 * share);
+}
+
+// A cycle, with the covariance of what all disturbances add.
+std::optional<Linear> cycle_from(DisturbedMap& map, const State& start) {
+    auto cycle = map.linear(start);
+    const Disturbance& disturbance = map.disturbance();
+    for (const Deviations& cart :
+         {Deviations{.amplitude = disturbance.amplitude}, Deviations{.frequency = disturbance.frequency}}) {
+        if (!cycle || cart == Deviations{}) continue;
+        const auto effect = effect_of(map, start, cart);
+        if (!effect) return std::nullopt;
+        cycle->covariance += *effect * effect->transpose();
+    }
+    return cycle;
+}
+
+// P = M P M^T + Q.
+Matrix stationary(const Matrix& flow, const Matrix& added) {
+    Eigen::Matrix4d system = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) system(i, j) -= flow(i / 2, j / 2) * flow(i % 2, j % 2);
+    }
+    const Eigen::Vector4d right(added(0, 0), added(0, 1), added(1, 0), added(1, 1));
+    const Eigen::Vector4d solved = system.fullPivLu().solve(right);
+    const double across = (solved[1] + solved[2]) / 2;
+    return (Matrix() << solved[0], across, across, solved[3]).finished();
+}
+
+// Disturbances may leave a direction out, as where a rigid stop holds the hammer for a while: a state counts as
+// away there once it is off by more than rounding.
+Matrix inverse(Matrix covariance) {
+    const double floor = 1e-12 * covariance.trace() + 1e-24;
+    covariance(0, 0) += floor;
+    covariance(1, 1) += floor;
+    return covariance.inverse();
+}
+
+}  // namespace
+
+std::optional<Home> Home::of(DisturbedMap& map, const State& at_phase_0, int period) {
+    constexpr double rounding = 1e-9;
+    constexpr double closed = 1e-5;  // relative; an orbit of another engine may lack a small term
+    std::vector<Linear> cycles;
+    Matrix flow = Matrix::Identity();
+    Matrix added = Matrix::Zero();
+    Home home;
+    State state = at_phase_0;
+    for (int n = 0; n < period; ++n) {
+        const auto cycle = cycle_from(map, state);
+        if (!cycle) return std::nullopt;
+        home.points_.push_back({.state = state, .covariance = {}, .precision = {}});
+        cycles.push_back(*cycle);
+        flow = cycle->jacobian * flow;
+        added = cycle->jacobian * added * cycle->jacobian.transpose() + cycle->covariance;
+        state = cycle->end;
+    }
+    if (!((state - at_phase_0).norm() <= closed * (1 + at_phase_0.norm()))) return std::nullopt;
+    const double largest_multiplier = flow.eigenvalues().cwiseAbs().maxCoeff();
+    if (!(largest_multiplier < 1 - rounding)) return std::nullopt;
+    home.slowest_ = std::pow(largest_multiplier, 1.0 / period);
+    Matrix covariance = stationary(flow, added);
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        if (!covariance.allFinite()) return std::nullopt;
+        home.points_[i].covariance = covariance;
+        home.points_[i].precision = inverse(covariance);
+        covariance = cycles[i].jacobian * covariance * cycles[i].jacobian.transpose() + cycles[i].covariance;
+    }
+    home.radius_ = home.find_radius(map);
+    return home;
+}
+
+// From small to large, as another basin may lie between.
+double Home::find_radius(DisturbedMap& map) {
+    constexpr double largest = 2;
+    constexpr double small = 1e-3;  // where the motion is linear
+    constexpr double step = 4;
+    double radius = largest;
+    while (radius * std::sqrt(points_.front().covariance.trace()) > small) radius /= step;
+    radius_ = radius;
+    while (radius < largest && takes_back_from(map, step * radius)) radius_ = radius *= step;
+    return radius;
+}
+
+// From states at this distance all around each point.
+bool Home::takes_back_from(DisturbedMap& map, double distance) const {
+    constexpr int directions = 8;
+    std::int64_t cycles = 0;
+    for (const Point& point : points_) {
+        const Matrix root = point.covariance.llt().matrixL();
+        for (int n = 0; n < directions; ++n) {
+            const double angle = 2 * std::numbers::pi * n / directions;
+            const State off = distance * root * State(std::cos(angle), std::sin(angle));
+            if (!takes_back(map, point.state + off, cycles).value_or(false)) return false;
+        }
+    }
+    return true;
+}
+
+double Home::distance(const State& state) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point& point : points_) {
+        const State off = state - point.state;
+        least = std::min(least, off.dot(point.precision * off));
+    }
+    return std::sqrt(std::max(least, 0.0));
+}
+
+// As near as disturbances hardly ever leave it, and so near that it converges however strong they are.
+bool Home::is_very_near(const State& state) const {
+    constexpr double of_radius = 0.025;
+    constexpr double converges = 1e-3;  // relative
+    const auto touches = [&](const Point& point) {
+        return (state - point.state).norm() < converges * (1 + point.state.norm());
+    };
+    return distance(state) < of_radius * radius_ && std::ranges::any_of(points_, touches);
+}
+
+std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::int64_t& cycles) const {
+    constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
+    constexpr double times_to_relax = 20;
+    constexpr std::size_t periods = 16;  // up to which another motion is known by its return
+    const double same = std::min(1e-9, 1e-3 * std::sqrt(points_.front().covariance.trace()));
+    const auto most = static_cast<std::size_t>(std::max(longest, -times_to_relax / std::log(slowest_)));
+    std::array<State, periods> last;
+    for (std::size_t n = 0; n < most; ++n) {
+        if (is_very_near(state)) return true;
+        const auto returns = [&](const State& before) { return (state - before).norm() < same; };
+        if (n >= periods && std::ranges::any_of(last, returns)) return false;
+        last[n % periods] = state;
+        ++cycles;
+        const auto next = map.at_next_phase_0({state});
+        if (!next) return std::nullopt;
+        state = *next;
+    }
+    return false;
+}
+
+}  // namespace peterka::noise

@@ -1,0 +1,56 @@
+// A settled motion, and how far a state is from it in units of what weak disturbances do to it: the Mahalanobis
+// distance from the nearest of its points at forcing phase 0, by the stationary covariance of the linearized
+// motion (the discrete Lyapunov equation P = M P M^T + Q; e.g. Gardiner 2009, Stochastic Methods, 4.5).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "noise/disturbed_map.hpp"
+#include "scene/oscillator.hpp"
+
+namespace peterka::noise {
+
+class Home {
+  public:
+    // The motion of period q through a state at forcing phase 0. Nothing where the engine doesn't return to
+    // that state after q cycles, or where the linearized motion isn't stable.
+    [[nodiscard]] static std::optional<Home> of(DisturbedMap& map, const scene::State<double>& at_phase_0,
+                                                int period);
+
+    // Of a state at phase 0.
+    [[nodiscard]] double distance(const scene::State<double>& state) const;
+    [[nodiscard]] const scene::State<double>& first_point() const { return points_.front().state; }
+    // Up to this distance it is at home: two standard deviations, or less where states as far away would not
+    // return without disturbances, as far as a sample shows.
+    [[nodiscard]] double radius() const { return radius_; }
+    // Mean factor by which the slowest of small deviations shrinks in a cycle.
+    [[nodiscard]] double slowest() const { return slowest_; }
+    // Of what disturbances add to its n-th point, to first order.
+    [[nodiscard]] const scene::Jacobian<double>& covariance(int n) const {
+        return points_[static_cast<std::size_t>(n)].covariance;
+    }
+
+    // Whether the motion from a state at phase 0 returns if it is not disturbed; nothing where the engine can't
+    // follow it. Adds to a number of cycles.
+    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state,
+                                                 std::int64_t& cycles) const;
+
+  private:
+    struct Point {
+        scene::State<double> state;
+        scene::Jacobian<double> covariance;
+        scene::Jacobian<double> precision;  // its inverse
+    };
+    [[nodiscard]] double find_radius(DisturbedMap& map);
+    [[nodiscard]] bool takes_back_from(DisturbedMap& map, double distance) const;
+    [[nodiscard]] bool is_very_near(const scene::State<double>& state) const;
+
+    std::vector<Point> points_;
+    double slowest_ = 0;
+    double radius_ = 0;
+};
+
+}  // namespace peterka::noise

@@ -1,0 +1,291 @@
+#include "noise/mean_life.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "cell/result.hpp"
+#include "support/random_numbers.hpp"
+
+namespace peterka::noise {
+
+namespace {
+
+constexpr double least_patience = 64;  // cycles away from home before it is asked whether it returns
+constexpr double most_patience = 2000;
+constexpr double times_to_relax = 3;  // that it is away before, if that is longer
+constexpr double strong = 0.25;  // with a smaller radius of home it is asked at once: it may be home by chance
+constexpr std::int64_t enough_lives = 100;
+constexpr std::int64_t trials_for_levels = 256;
+constexpr double reach_next = 0.25;   // share of trials that should get from a level to the next
+constexpr double leaves_often = 0.3;  // so large a share of trials that leave needs no further level
+constexpr int changes_between_looks = 4;
+constexpr int estimates = 8;
+constexpr std::int64_t fewest_trials = 32;
+constexpr double rarest = 1e-15;  // per cycle
+constexpr double of_none =
+    3;  // with 95 % probability, the mean number of events of which none was seen is less
+constexpr double infinitely_far = std::numeric_limits<double>::infinity();
+
+// A disturbed motion.
+struct Walker {
+    DisturbedState motion;
+    std::int64_t away = 0;  // cycles since it was home
+    std::int64_t ask;       // cycles away from home after which it is asked whether it returns
+    bool left = false;
+};
+
+constexpr double not_looked = -1;  // as a distance
+
+enum class Now { home, away, left, failed };
+
+std::int64_t patience_of(const Home& home) {
+    if (home.radius() < strong) return 1;
+    return static_cast<std::int64_t>(
+        std::clamp(-times_to_relax / std::log(home.slowest()), least_patience, most_patience));
+}
+
+class Walk {
+  public:
+    Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
+        : map_(map), home_(home), random_(seed), patience_(patience_of(home)) {}
+
+    [[nodiscard]] Walker begin() const { return {.motion = {home_.first_point()}, .ask = patience_}; }
+    [[nodiscard]] std::int64_t cycles() const { return changes_ / map_.changes_per_cycle(); }
+    [[nodiscard]] std::int64_t patience() const { return patience_; }
+    [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
+
+    // How far from home it would be at the next phase 0 without more disturbances, if it is worth
+    // looking; NaN where the engine fails.
+    [[nodiscard]] double distance(const Walker& walker) {
+        if (walker.motion.at_phase_0()) return home_.distance(walker.motion.state);
+        if (walker.motion.changes % changes_between_looks != 0) return not_looked;
+        const auto state = map_.at_next_phase_0(walker.motion);
+        return state ? home_.distance(*state) : cell::unknown;
+    }
+
+    // To the next change, or to phase 0, where it is seen whether it is home. Between, it is where it was
+    // before.
+    Now step(Walker& walker) {
+        changes_ += walker.motion.at_phase_0() ? 0 : 1;
+        if (!map_.advance(walker.motion, random_)) return Now::failed;
+        if (!walker.motion.at_phase_0()) return walker.away == 0 ? Now::home : Now::away;
+        if (home_.distance(walker.motion.state) <= home_.radius()) {
+            walker.away = 0;
+            walker.ask = patience_;
+            return Now::home;
+        }
+        if (++walker.away < walker.ask) return Now::away;
+        const auto returns = home_.takes_back(map_, walker.motion.state, undisturbed_);
+        if (!returns) return Now::failed;
+        if (!*returns) {
+            walker.left = true;
+            return Now::left;
+        }
+        walker.ask += patience_;
+        return Now::away;
+    }
+    // A whole cycle.
+    Now cycle(Walker& walker) {
+        for (;;) {
+            const Now now = step(walker);
+            if (now == Now::failed || walker.motion.at_phase_0()) return now;
+        }
+    }
+
+  private:
+    DisturbedMap& map_;
+    const Home& home_;
+    RandomNumbers random_;
+    std::int64_t patience_;
+    std::int64_t changes_ = 0;
+    std::int64_t undisturbed_ = 0;  // cycles
+};
+
+// Motions that are followed until they leave, one after the other.
+struct Followed {
+    std::int64_t cycles = 0;  // lived
+    std::int64_t lives = 0;   // ended
+    std::int64_t failed = 0;
+    std::vector<Walker> departures = {};  // just after they were home
+    [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
+};
+
+Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
+    Followed followed;
+    Walker walker = walk.begin();
+    for (std::int64_t n = 0; n < budget && followed.lives < most_lives; ++n) {
+        const Now now = walk.cycle(walker);
+        ++followed.cycles;
+        if (now == Now::away && walker.away == 1) followed.departures.push_back(walker);
+        if (now != Now::left && now != Now::failed) continue;
+        if (walk.patience() > 1) followed.cycles -= walker.away - 1;  // in the first of these it left
+        ++(now == Now::left ? followed.lives : followed.failed);
+        walker = walk.begin();
+    }
+    return followed;
+}
+
+// Lives end at random, so that their number is as uncertain as its square root.
+MeanLife life_of(const Followed& followed) {
+    const auto cycles = static_cast<double>(followed.cycles);
+    if (followed.lives == 0) return {.least = cycles / of_none};
+    const double mean = cycles / static_cast<double>(followed.lives);
+    return {.mean = mean, .error = mean / std::sqrt(static_cast<double>(followed.lives))};
+}
+
+// The states in which a trial was further from home than ever before, and how it ended.
+struct Trial {
+    std::vector<std::pair<double, Walker>> records;
+    bool left = false;
+    bool failed = false;
+};
+
+// Until it is home again, has left, or has come as far as `target`.
+Trial run_trial(Walk& walk, Walker walker, double target) {
+    Trial trial;
+    if (walker.left) {
+        trial.left = true;
+        return trial;
+    }
+    double furthest = not_looked;
+    for (;;) {
+        const double distance = walk.distance(walker);
+        trial.failed = std::isnan(distance);
+        if (distance > furthest) {
+            furthest = distance;
+            trial.records.emplace_back(furthest, walker);
+        }
+        if (trial.failed || furthest >= target) return trial;
+        const Now now = walk.step(walker);
+        trial.left = now == Now::left;
+        trial.failed = now == Now::failed;
+        if (now != Now::away) return trial;
+    }
+}
+
+// The state in which a trial reached a level; nothing if it didn't.
+std::optional<Walker> reached(const Trial& trial, double level) {
+    for (const auto& [distance, walker] : trial.records) {
+        if (distance >= level) return walker;
+    }
+    if (!trial.left) return std::nullopt;
+    return Walker{.motion = {}, .ask = 0, .left = true};
+}
+
+struct Levels {
+    std::vector<double> distances;     // of the levels beyond home
+    std::vector<double> trial_cycles;  // mean number of cycles of a trial at each level, from home on
+    double probability = 1;            // to reach the last level, roughly
+    bool leads_away = false;           // from the last level trials leave
+};
+
+// Nothing where trials fail.
+std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double departures_per_cycle,
+                                    std::int64_t budget) {
+    Levels levels;
+    double last = 0;
+    const std::int64_t end = walk.cycles() + budget;
+    for (;;) {
+        std::vector<Trial> trials;
+        std::vector<double> furthest;
+        const std::int64_t before = walk.cycles();
+        for (std::int64_t n = 0; n < trials_for_levels; ++n) {
+            trials.push_back(run_trial(walk, from[walk.one_of(from.size())], infinitely_far));
+            const Trial& trial = trials.back();
+            if (trial.failed) return std::nullopt;
+            furthest.push_back(trial.left ? infinitely_far : trial.records.back().first);
+        }
+        levels.trial_cycles.push_back(static_cast<double>(walk.cycles() - before) / trials_for_levels);
+        const auto leave = static_cast<double>(std::ranges::count(furthest, infinitely_far));
+        std::ranges::sort(furthest);
+        const double next = furthest[static_cast<std::size_t>((1 - reach_next) * trials_for_levels)];
+        levels.leads_away = leave >= leaves_often * trials_for_levels || next == infinitely_far;
+        const bool is_rarest = levels.probability * departures_per_cycle < rarest;
+        if (levels.leads_away || is_rarest || !(next > last) || walk.cycles() >= end) return levels;
+        from.clear();
+        for (const Trial& trial : trials) {
+            if (const auto walker = reached(trial, next)) from.push_back(*walker);
+        }
+        levels.probability *= static_cast<double>(from.size()) / trials_for_levels;
+        levels.distances.push_back(next);
+        last = next;
+    }
+}
+
+// Lives that end per cycle; nothing where trials fail.
+std::optional<double> rate_of(Walk& walk, const Levels& levels, std::int64_t budget, std::int64_t trials) {
+    const Followed base = follow(walk, budget, std::numeric_limits<std::int64_t>::max());
+    if (!base.is_sound()) return std::nullopt;
+    if (base.departures.empty()) return 0;
+    double rate = static_cast<double>(base.departures.size()) / static_cast<double>(base.cycles);
+    std::vector<Walker> from = base.departures;
+    for (std::size_t n = 0; n <= levels.distances.size(); ++n) {
+        const double target = n < levels.distances.size() ? levels.distances[n] : infinitely_far;
+        std::vector<Walker> there;
+        for (std::int64_t i = 0; i < trials; ++i) {
+            const Trial trial = run_trial(walk, from[walk.one_of(from.size())], target);
+            if (trial.failed) return std::nullopt;
+            if (const auto walker = reached(trial, target)) there.push_back(*walker);
+        }
+        rate *= static_cast<double>(there.size()) / static_cast<double>(trials);
+        if (there.empty()) return 0;
+        from = std::move(there);
+    }
+    return rate;
+}
+
+// From the mean rate and its standard error; nothing where no estimate saw a life end.
+std::optional<MeanLife> life_of(const std::vector<double>& rates) {
+    const auto count = static_cast<double>(rates.size());
+    double mean = 0;
+    for (const double rate : rates) mean += rate / count;
+    if (mean == 0) return std::nullopt;
+    double squares = 0;
+    for (const double rate : rates) squares += (rate - mean) * (rate - mean);
+    return MeanLife{.mean = 1 / mean, .error = std::sqrt(squares / (count - 1) / count) / (mean * mean)};
+}
+
+}  // namespace
+
+std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home, std::int64_t budget,
+                                           std::uint64_t seed) {
+    Walk walk(map, home, seed);
+    const Followed followed = follow(walk, budget, std::numeric_limits<std::int64_t>::max());
+    if (!followed.is_sound()) return std::nullopt;
+    return life_of(followed);
+}
+
+std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int64_t budget,
+                                  std::uint64_t seed) {
+    Walk walk(map, home, seed);
+    const Followed first = follow(walk, budget / 4, enough_lives);
+    if (!first.is_sound()) return std::nullopt;
+    if (first.lives == enough_lives || first.departures.empty()) return life_of(first);
+    const double departures_per_cycle =
+        static_cast<double>(first.departures.size()) / static_cast<double>(first.cycles);
+    const auto levels = choose_levels(walk, first.departures, departures_per_cycle, budget / 2);
+    if (!levels) return std::nullopt;
+    const double reached_per_cycle = departures_per_cycle * levels->probability;
+    if (!levels->leads_away) {
+        if (first.lives > 0) return life_of(first);
+        return MeanLife{.least = std::max(1 / reached_per_cycle, life_of(first).least)};
+    }
+    const std::int64_t each = std::max(budget - walk.cycles(), budget / 4) / (2 * estimates);
+    double of_trials = 0;
+    for (const double cycles : levels->trial_cycles) of_trials += cycles;
+    const auto trials =
+        std::max(fewest_trials, static_cast<std::int64_t>(static_cast<double>(each) / of_trials));
+    std::vector<double> rates;
+    for (int n = 0; n < estimates; ++n) {
+        const auto rate = rate_of(walk, *levels, each, trials);
+        if (!rate) return std::nullopt;
+        rates.push_back(*rate);
+    }
+    const auto life = life_of(rates);
+    return life ? *life : life_of(first);
+}
+
+}  // namespace peterka::noise

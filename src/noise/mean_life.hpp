@@ -1,0 +1,45 @@
+// How long a settled motion lasts that is disturbed at random.
+//
+// It is home where, at forcing phase 0, it is about as near to its orbit as disturbances keep it
+// (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, and
+// would not return within 500 cycles, or twenty times its relaxation time, without disturbances. Its mean life
+// is the mean time until then, counted up to the cycle in which it was home last. Where
+// disturbances are so strong that states at a quarter of a standard deviation would not return, it could be
+// home by chance, and has left as soon as it would not return.
+//
+// Where it leaves often, many lives are followed. Where it leaves rarely, forward flux sampling (Allen, Warren
+// & ten Wolde 2005, Phys. Rev. Lett. 94, 018104; a splitting method after Kahn & Harris 1951) multiplies the
+// rate at which it departs from home by the probabilities to get from one level of distance to the next before
+// it is home again. Each is estimated by trials from states in which others reached the level; between the ends
+// of cycles, the distance is that at the next end without further disturbances. The levels come from trials
+// that don't count. Several such estimates, each with disturbances of its own, tell the standard error.
+//
+// Where no trial gets beyond a level, as a motion that forgets within a cycle may do, or the budget ends, what
+// is known is how rarely the levels so far are reached: the motion lasts at least that long, roughly.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "cell/result.hpp"
+#include "noise/disturbed_map.hpp"
+#include "noise/home.hpp"
+
+namespace peterka::noise {
+
+// In forcing cycles.
+struct MeanLife {
+    double mean = cell::unknown;   // NaN: nothing was seen to leave
+    double error = cell::unknown;  // standard error
+    double least = cell::unknown;  // where nothing was: it lasts at least that long, roughly
+};
+
+// budget: how many disturbed cycles to compute, roughly. Nothing where the engine fails on the way.
+[[nodiscard]] std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int64_t budget,
+                                                std::uint64_t seed);
+
+// The same by following lives for as many cycles, without splitting.
+[[nodiscard]] std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home,
+                                                         std::int64_t budget, std::uint64_t seed);
+
+}  // namespace peterka::noise

@@ -1,0 +1,99 @@
+"""Mean lives of settled motions under [noise]: in files of maps and sweeps, with and without [starts], in the summary, in check, and
+with the same bytes on any number of ranks."""
+
+import h5py
+import numpy as np
+import pytest
+
+import jobs
+import launch
+
+LIVES = ("mean_life_s", "mean_life_error_s", "mean_life_least_s")
+NOISE = "[noise]\nacceleration_m_s2_per_sqrt_hz = 0.1\ncycles = 2000\n"
+SETTLED = (0, 1, 3)  # of `regime`
+
+
+def text(more=NOISE, kind="map", columns=5):
+    second = jobs.axis("gap_ratio", 1.0, 3.0, 3) if kind == "map" else "[sweep]\ngap_ratio = [2.0]\n"
+    return jobs.RIG.format(kind=kind, title="disturbed") + jobs.axis("frequency_ratio", 0.9, 2.5, columns) + second + more
+
+
+def run(folder, job, ranks=1):
+    jobs.write(folder, job)
+    finished = launch.run("run", "job.toml", cwd=folder, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(folder / "job.h5") as file:
+        return {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}, finished.stdout
+
+
+@pytest.fixture(scope="module")
+def with_starts(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("starts")
+    return run(folder, text(NOISE + "[starts]\ncount = 32\n"), ranks=2), (folder / "job.h5").read_bytes()
+
+
+def check_lives(regime, life, error, least):
+    settled = np.isin(regime, SETTLED)
+    assert settled.any()
+    assert np.all(np.isfinite(life[settled]) ^ np.isfinite(least[settled]))
+    assert np.all(np.isnan(least[~settled]))
+    assert np.array_equal(np.isfinite(life), np.isfinite(error))
+    assert np.all(life[settled & np.isfinite(life)] > 0)
+    assert np.all(least[np.isfinite(least)] > 2000 / 4 / 3 / 15)  # a quarter of the cycles, none of whose ends was seen
+
+
+def test_each_settled_attractor_has_a_mean_life_or_a_bound(with_starts):
+    cells, summary = with_starts[0]
+    check_lives(cells["attractor_regime"], *(cells[name] for name in LIVES))
+    settled = np.isin(cells["attractor_regime"], SETTLED)
+    assert f"{np.count_nonzero(settled)} attractors followed" in summary
+
+
+def test_the_bytes_are_those_of_any_number_of_ranks(with_starts, tmp_path):
+    cells, _ = run(tmp_path, text(NOISE + "[starts]\ncount = 32\n"), ranks=3)
+    for name, values in with_starts[0][0].items():
+        if name not in ("tile_seconds",):
+            assert values.tobytes() == cells[name].tobytes(), name
+
+
+def test_without_starts_each_cell_tells_that_of_its_own_motion(tmp_path):
+    cells, summary = run(tmp_path, text())
+    check_lives(cells["regime"], *(cells[name] for name in LIVES))
+    assert "motions followed" in summary
+
+
+@pytest.mark.parametrize("starts", ["", "[starts]\ncount = 8\n"])
+def test_sweeps_tell_them_too(starts, tmp_path):
+    cells, _ = run(tmp_path, text(NOISE + starts, kind="sweep", columns=4))
+    check_lives(cells["attractor_regime" if starts else "regime"], *(cells[name] for name in LIVES))
+
+
+def test_stronger_noise_makes_lives_shorter(tmp_path):
+    lives = []
+    for speed in (0.1, 0.3):
+        noise = NOISE.replace("0.1", str(speed)).replace("2000", "5000")
+        job = text(noise + "[starts]\ncount = 16\n").replace("from = 1.0\nto = 3.0\npoints = 3", "from = 2.0\nto = 2.0\npoints = 1")
+        folder = tmp_path / str(speed)
+        folder.mkdir()
+        cells, _ = run(folder, job)
+        lives.append(np.where(np.isin(cells["attractor_regime"], SETTLED), cells["mean_life_s"], np.nan))
+    ended = [np.isfinite(of_one) for of_one in lives]
+    assert ended[0].any()
+    assert np.all(ended[1][ended[0]])
+    assert np.all(lives[1][ended[0]] < lives[0][ended[0]])
+
+
+def test_a_job_without_noise_has_no_such_datasets_and_no_table(tmp_path):
+    cells, summary = run(tmp_path, text(more=""))
+    assert not set(LIVES) & set(cells)
+    assert "noise" not in summary
+    with h5py.File(tmp_path / "job.h5") as file:
+        assert "noise" not in file.attrs["job"]
+
+
+def test_check_tells_what_they_cost(tmp_path):
+    jobs.write(tmp_path, text())
+    told = launch.run("check", "job.toml", cwd=tmp_path).stdout
+    assert "#   noise    some 20.0 ms of one core for each settled motion, 300.0 ms if each cell has one" in told
+    jobs.write(tmp_path, text(more=""))
+    assert "#   noise" not in launch.run("check", "job.toml", cwd=tmp_path).stdout

@@ -1,0 +1,89 @@
+#include "noise/mean_life.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "noise_cases.hpp"
+
+namespace peterka::noise {
+namespace {
+
+using testing::white;
+
+struct Lives {
+    std::optional<MeanLife> split;
+    std::optional<MeanLife> followed;
+};
+
+Lives lives_of(const testing::Settled& motion, const Disturbance& disturbance, std::int64_t budget,
+               std::int64_t followed) {
+    DisturbedMap map(motion.oscillator, {}, disturbance);
+    const auto home = Home::of(map, motion.point, motion.period);
+    EXPECT_TRUE(home);
+    return {mean_life(map, *home, budget, 1), mean_life_followed(map, *home, followed, 2)};
+}
+
+void expect_alike(const Lives& lives) {
+    ASSERT_TRUE(lives.split && lives.followed);
+    ASSERT_TRUE(std::isfinite(lives.split->mean));
+    EXPECT_TRUE(std::isnan(lives.split->least));
+    EXPECT_NEAR(lives.split->mean, lives.followed->mean,
+                4 * std::hypot(lives.split->error, lives.followed->error));
+    EXPECT_LT(lives.split->error, 0.4 * lives.split->mean);
+}
+
+TEST(DisturbedLife, SplittingTellsTheLivesThatAreFollowed) {
+    const Lives lives = lives_of(testing::one_in_three(), white(0.009), 60'000, 60'000);
+    expect_alike(lives);
+    EXPECT_GT(lives.split->mean, 500);
+}
+
+TEST(DisturbedLife, ShortLivesAreFollowedOneByOne) {
+    const Lives lives = lives_of(testing::one_in_three(), white(0.03), 80'000, 5'000);
+    expect_alike(lives);
+    EXPECT_NEAR(lives.split->error / lives.split->mean, 0.1, 1e-9);  // of a hundred lives
+}
+
+TEST(DisturbedLife, DisturbancesBeyondTheBasinEndALifeAtOnce) {
+    const Lives lives = lives_of(testing::one_in_three(), white(0.5), 10'000, 500);
+    expect_alike(lives);
+    EXPECT_LT(lives.split->mean, 30);
+}
+
+// Of a wander a thousand times as wide as the basin next to nothing returns.
+TEST(DisturbedLife, DisturbancesFarBeyondItAtOnce) {
+    const Lives lives = lives_of(testing::one_in_three(), white(30), 1'000, 400);
+    expect_alike(lives);
+    EXPECT_LT(lives.split->mean, 3);
+}
+
+TEST(DisturbedLife, WhereNothingLeavesItTellsHowLongItLastsAtLeast) {
+    DisturbedMap map(testing::one_in_three().oscillator, {}, white(1e-4));
+    const auto home = Home::of(map, testing::one_in_three().point, 3);
+    ASSERT_TRUE(home);
+    const auto life = mean_life(map, *home, 20'000, 1);
+    ASSERT_TRUE(life);
+    EXPECT_TRUE(std::isnan(life->mean));
+    EXPECT_TRUE(std::isnan(life->error));
+    EXPECT_GT(life->least, 20'000 / 4 / 3);
+    const auto followed = mean_life_followed(map, *home, 3'000, 1);
+    EXPECT_NEAR(followed->least, 1000, 1e-9);  // with 95 % probability three would have been seen
+}
+
+TEST(DisturbedLife, TheSameSeedGivesTheSameBits) {
+    const testing::Settled motion = testing::one_in_three();
+    DisturbedMap map(motion.oscillator, {}, {.speed = 0.009, .amplitude = 1e-3});
+    const auto home = Home::of(map, motion.point, 3);
+    ASSERT_TRUE(home);
+    const auto first = mean_life(map, *home, 12'000, 5);
+    const auto again = mean_life(map, *home, 12'000, 5);
+    const auto other = mean_life(map, *home, 12'000, 6);
+    ASSERT_TRUE(first && again && other);
+    EXPECT_EQ(first->mean, again->mean);
+    EXPECT_EQ(first->error, again->error);
+    EXPECT_NE(first->mean, other->mean);
+}
+
+}  // namespace
+}  // namespace peterka::noise
