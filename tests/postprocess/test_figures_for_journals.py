@@ -114,6 +114,13 @@ def test_every_picture_fits_a_column(tmp_path, monkeypatch, palette, units):
                 assert not faults, f"{path.stem} {name}:\n" + "\n".join(faults)
 
 
+@pytest.mark.parametrize("name", ["edge_distance_frequency", "edge_distance_gap"])
+def test_distances_to_the_edge_fit_a_column(tmp_path, monkeypatch, name):
+    with open_file(write_distances(tmp_path / "c.h5")[0]) as file:
+        faults = faults_of_layout(figure_of(pictures_of(file)[name](file, width=COLUMN, units="si")), monkeypatch)
+    assert not faults, "\n".join(faults)
+
+
 def labels_of(figure):
     axes = [one for ax in figure.axes for one in (ax, *ax.child_axes)]
     return {axis.get_label_text() for ax in axes for axis in (ax.xaxis, ax.yaxis)

@@ -408,6 +408,15 @@ def test_what_cannot_be_answered_gets_words(tmp_path, run_program, arguments, re
     assert code == 2 and reason in err and err.count("\n") == 1, err
 
 
+def test_a_rigid_stop_has_places_by_impact_speed_alone(tmp_path, run_program):
+    path = write_map(tmp_path / "a.h5", [[ONE] * 6] * 5, forces=np.full((5, 6), np.nan), fields={"impact_speed": np.full((5, 6), 0.5)})
+    arguments = "operating_point", path, "--starts", "job", "--hz", 0.1, "--mm", 0
+    code, _, err = run_program(*arguments)
+    assert code == 2 and "no peak forces" in err and "--quantity impact_speed" in err and err.count("\n") == 1, err
+    code, out, err = run_program(*arguments, "--quantity", "impact_speed", "--formats", "png")
+    assert (code, err) == (0, "") and out.splitlines()[-2].endswith("own start: impact speed 500 mm/s") and "nan" not in out, out
+
+
 @pytest.mark.parametrize("name, value, reason", [
     ("basin_share", np.full((1, 5, 6), 1.5), "no share"),
     ("basin_share", np.ones((1, 5, 5)), "of shape"),

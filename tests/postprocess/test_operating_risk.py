@@ -7,11 +7,13 @@ import sys
 
 import numpy as np
 import pytest
+from peterka.cli import operating_point
 from peterka.maps.map_file import PeterkaFile
 from peterka.operating import fresh_draws, risk
 from peterka.operating.drift import reach, worst_of_boxes
 from peterka.sampling import draws_needed, least_share, least_share_above
 from picture_samples import write_map
+from picture_texts import faults_of_layout
 from sealing import SealedFile
 from starts_samples import EMPTY
 from uncertain_samples import KINDS, by_probability, forces, probabilities, write_uncertain
@@ -54,6 +56,16 @@ def test_the_value_is_the_least_of_the_box(tmp_path, hz, mm, regimes):
 def test_without_a_risk_the_drawn_rigs_are_named(tmp_path, operate):
     told = operate(write_uncertain(tmp_path / "a.h5"), "--hz", "0", "--mm", "0")[1]
     assert "of the job's own rig alone: what its 64 drawn rigs reach is told by --risk 0.95" in told
+
+
+def test_the_picture_fits_a_column(tmp_path, operate, monkeypatch):
+    """Its scale lost its unit there."""
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    path = write_uncertain(tmp_path / "a.h5")
+    code, _, complaint = operate(path, "--risk", "0.95", "--hz", "0.5", "--mm", "0.1", "--units", "si", "--width", "84")
+    faults = faults_of_layout(drawn[0], monkeypatch)
+    assert (code, complaint) == (0, "") and not faults, "\n".join(faults)
 
 
 def test_the_best_place_is_told_in_words_and_drawn(tmp_path, operate):

@@ -32,6 +32,8 @@ def test_numbers_have_shades_that_darken(tmp_path):
     assert colours[0] == [one, two, two]
     assert colours[1][:2] == [three, one]
     assert drawn.legend_texts() == ["not computed yet (16.7 %)", "1 (33.3 %)", "2 (33.3 %)", "3 (16.7 %)"]
+    heads = [ax.get_legend().get_title().get_text() for ax in drawn.figure.axes if ax.get_legend()]
+    assert heads == ["known attractors of a cell (share of the map)"]  # the summary counts those on which starts end
 
 
 def test_the_likeliest_attractor_has_the_colour_of_its_class(tmp_path):

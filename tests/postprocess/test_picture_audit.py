@@ -36,7 +36,7 @@ def test_shares_of_errors(path, tmp_path):
     x, y = errors.lines[0].get_data()
     assert x[1:-1].tolist() == [1e-9, 1e-7] and y.tolist() == [0, 50, 100, 100]
     assert errors.get_xscale() == "log"
-    assert errors.texts[0].get_text() == "2 cells\nmedian 5.0e-08\nlargest 1.0e-07"
+    assert errors.texts[0].get_text() == "2 cells\nmedian 1.0e-09\nlargest 1.0e-07"
 
 
 def test_equal_forces_have_a_place_on_the_logarithmic_axis(tmp_path):

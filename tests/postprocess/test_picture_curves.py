@@ -174,7 +174,7 @@ def test_distances_to_the_edge_are_drawn_in_units(tmp_path, side, unit, drift):
     assert np.allclose(values[kinds == 0], drift) and np.ma.getmaskarray(values)[kinds != 0].all()
     assert unit in figure.axes[1].get_xlabel()
     assert legend_words(figure) == ["no edge within the window", "could not be followed to one",
-                                    "chaotic, unresolved, or a period above curves.max_period"]
+                                    "chaotic, unresolved, or q above curves.max_period"]
 
 
 def test_distances_have_pictures_where_the_file_has_them(tmp_path):

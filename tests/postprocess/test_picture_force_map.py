@@ -4,6 +4,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
+from matplotlib.text import Text
 from peterka.plotting.figures import figure_of
 from peterka.maps import field_map, force_map
 from peterka.maps.map_file import PeterkaFile
@@ -82,6 +83,21 @@ def test_a_single_spike_does_not_flatten_the_scale(tmp_path):
         drawn = Drawn(force_map.draw_all_impacts(file), tmp_path / "a.png")
     assert drawn.map_axes.collections[-1].get_clim()[1] == pytest.approx(10.0)
     assert drawn.map_texts() == ["max 1000 (2.922 kN)"]
+
+
+def test_no_dark_colour_shows_between_the_letters_of_a_note(tmp_path):
+    forces = np.full((40, 40), 10.0)
+    forces[20, 20] = 1000.0
+    with PeterkaFile(write_map(tmp_path / "a.h5", [[orbit(1, 1)] * 40] * 40, forces=forces)) as file:
+        drawn = Drawn(force_map.draw_all_impacts(file, limits=(0, 1000)), tmp_path / "a.png")
+    note = drawn.map_axes.texts[0]
+    assert note.get_text().startswith("max 1000")
+    box = drawn.figure.transFigure.inverted().transform_bbox(Text.get_window_extent(note))
+    height, width = drawn.pixels.shape[:2]
+    low, high = (1 - share for share in (box.y0 + 0.4 * box.height, box.y0 + 0.6 * box.height))  # through the small letters
+    within = drawn.pixels[int(high * height):int(low * height), int(box.x0 * width):int(box.x1 * width)]
+    dark = np.all(within == matplotlib.colors.to_rgba_array(colour_of_force(10, 1000))[0, :3] * 255, axis=-1)
+    assert within.size and dark.mean() < 0.1
 
 
 def test_no_picture_without_a_force(tmp_path):

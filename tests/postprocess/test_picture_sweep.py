@@ -54,6 +54,15 @@ def test_neighbouring_points_and_places_half_way_have_texts_of_their_own(tmp_pat
             assert len({place_text(file, place) for place in places}) == len(places)
 
 
+def test_a_place_half_way_in_hertz_is_rounded_as_in_the_summary(tmp_path):
+    """From its ratio 20.375 Hz came back as 20.374999..., 20.37 Hz, which the summary calls 20.38 Hz."""
+    with SweepFile(write_sweep(tmp_path / "a.h5", natural_frequency_hz=22.0, job="[axes.frequency_hz]\nfrom = 15.0\n")) as file:
+        file.values = np.linspace(15, 60, 181) / 22
+        middles = (file.values[1:] + file.values[:-1]) / 2
+        told = [place_text(file, middle).split()[0] for middle in middles]
+    assert told == [f"{15.125 + 0.25 * n:.4g}" for n in range(180)]
+
+
 @pytest.mark.parametrize("draw", [response.draw, bifurcation.draw])
 def test_in_si_alone_every_panel_has_ticks_and_grid_at_round_numbers_of_these_units(tmp_path, draw):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:

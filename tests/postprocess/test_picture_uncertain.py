@@ -41,6 +41,8 @@ def test_the_probability_of_any_motion_is_drawn(tmp_path, wanted, right):
     np.testing.assert_allclose(ax.collections[0].get_array().reshape(right.shape), right)
     assert ax.collections[0].get_clim() == (0, 1)
     assert CAPTION in title_of(ax)
+    of = {"chaotic": "chaos"}.get(wanted, f"$z = {wanted}$" if "/" in wanted else wanted)
+    assert f"probability of {of}" in [each.get_xlabel() for each in figure_of(ax).axes]
 
 
 def test_a_motion_of_no_rig_is_not_drawn(tmp_path, draw):

@@ -12,8 +12,10 @@ from peterka.maps.map_file import PeterkaFile
 from peterka.maps.rates import NAMES, RESULTS, UNITS
 from peterka.pictures import pictures_of
 from peterka.plotting import style
+from peterka.plotting.figures import figure_of
 from peterka.plotting.frames import label_of_bar, text_width
 from picture_samples import orbit, write_map
+from picture_texts import faults_of_layout
 from sealing import seal_file
 from sweep_samples import write_sweep
 
@@ -98,6 +100,14 @@ def test_what_the_file_does_not_tell_gives_no_rate(tmp_path, attributes, gone):
     with PeterkaFile(sample(tmp_path, **attributes)) as file:
         names = {name for name in pictures_of(file) if name.startswith("force_per_")}
     assert names == {"force_per_frequency", "force_per_gap", "force_per_stop_stiffness"} - gone
+
+
+@pytest.mark.parametrize("units", ["si", "both"])
+def test_pictures_of_rates_fit_a_column(tmp_path, monkeypatch, units):
+    with PeterkaFile(sample(tmp_path)) as file:
+        for name in ("force_per_frequency", "force_per_stop_stiffness"):
+            faults = faults_of_layout(figure_of(pictures_of(file)[name](file, width=84, units=units)), monkeypatch)
+            assert not faults, f"{name}:\n" + "\n".join(faults)
 
 
 def test_the_points_of_a_sweep_have_them(tmp_path, run_program):

@@ -12,7 +12,7 @@ or not). Both give a picture of each of impact_speed, impulse, contact_time, con
 lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. With
 --curves, a file of curves of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where
 last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only 300 cycles, or
---after, would see. A map with [starts] gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most
+--after, would see. A map with [starts] gives STEM_attractors (how many of a cell are known), STEM_attractors_largest (on which most
 starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
 where kicks are stored, STEM_kick; a map with [noise] gives STEM_life, the mean life of settled motions.
 A map with force_elasticity or speed_elasticity gives STEM_elasticity_... (% per %) for each number by which it has one, where it tells

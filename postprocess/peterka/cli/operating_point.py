@@ -34,7 +34,7 @@ from ..maps.comparison import label_codes
 from ..maps.map_file import PeterkaFile
 from ..maps.outcomes import draws_of
 from ..operating import fresh_draws, picture, risk, told, verify, words
-from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
+from ..operating.admitted import ANY, JOB, NO_REGIME, QUANTITIES, admitted, has_starts, quantity_of
 from ..operating.drift import USUAL, Reach, reach, read_drift, worst_of_boxes
 from ..operating.places import Place, best_places
 from ..plotting.style import using
@@ -88,6 +88,9 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
     apart, boxes = words.boxes_in_words(file, rows, columns)
     if not places:
+        struck = found.code != NO_REGIME
+        if quantity.name == "peak_force" and struck.any() and np.isnan(found.value[struck]).all():
+            raise file.refusal("has no peak forces, as where the stop is rigid: --quantity impact_speed finds the hardest blow")
         inside = rows.inside[:, None] & columns.inside[None, :]
         free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
             starts == ANY) else ""

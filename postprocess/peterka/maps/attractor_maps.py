@@ -50,7 +50,7 @@ def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     reduced, counts = class_picture(file, ["regime", "attractors", "attractor_regime"], label, len(NUMBERS))
     handles = [axes.legend_patch(f"{NUMBERS[n]} ({axes.percent(counts[n] / counts.sum())})", NUMBER_COLOURS[n], n == 0)
                for n in np.flatnonzero(counts)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, f"attractors of a cell (share of the {file.whole})")], ax=ax)
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, f"known attractors of a cell (share of the {file.whole})")], ax=ax)
     axes.show_classes(ax, reduced, NUMBER_COLOURS, 0)
     return _finished(figure, ax, file)
 

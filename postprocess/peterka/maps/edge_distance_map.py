@@ -28,7 +28,7 @@ PICTURES = {**{f"edge_distance_{word}": side for side, (word, *_) in SIDES.items
             "edge_distance_columns": "columns", "edge_distance_rows": "rows"}  # the latter of axes that are none of SIDES
 # What is told of a cell, its colour, and its hatching in the grey palette.
 CLASSES = [("an edge within the window", "#FFFFFF", ""), ("no edge within the window", "#CDE7C9", "//"),
-           ("could not be followed to one", "#F7C6D0", "++"), ("chaotic, unresolved, or a period above curves.max_period", "#F2F2F2", "\\\\")]
+           ("could not be followed to one", "#F7C6D0", "++"), ("chaotic, unresolved, or q above curves.max_period", "#F2F2F2", "\\\\")]
 
 
 @picture(CurvesFile)

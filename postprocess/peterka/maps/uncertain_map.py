@@ -67,7 +67,7 @@ def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: 
     _draw_lines(ax, reduced, levels)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
-    of = {IMPACTS: "impacts"}.get(probability) or ("$z = %s$" % probability if "/" in probability else probability)
+    of = {IMPACTS: "impacts", "chaotic": "chaos"}.get(probability) or ("$z = %s$" % probability if "/" in probability else probability)
     bar.set_label(f"probability of {of}", fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, _told(file, draws, [*untold, *unkept]), ax)

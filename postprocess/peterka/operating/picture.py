@@ -11,6 +11,7 @@ from matplotlib.transforms import Bbox
 
 from ..arrays import Reals, ma
 from ..plotting import axes, style, units
+from ..plotting.frames import label_of_bar
 from ..plotting.notes import write_near_box
 from ..plotting.seen import SEEN
 from ..maps.field_map import scale_colours
@@ -44,7 +45,7 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
-    bar.set_label(f"worst of the box: {quantity.title} ({unit})", fontsize=8)
+    bar.set_label(label_of_bar("worst of the box:", f"{quantity.title} ({unit})", " ", WIDTH), fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, f"{axes.so_far(file)}{starts}; {drift}")
     _mark(ax, file, places, rows, columns, quantity)

@@ -70,8 +70,8 @@ def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, share:
 
 
 def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapping[str, float]) -> list[str]:
-    """Describes the best place; `fields` {dataset: the file's value there}."""
-    newtons = file.newtons
+    """Describes the best place; `fields` {dataset: the file's value there}, NaN where it has none."""
+    newtons, fields = file.newtons, {name: value for name, value in fields.items() if np.isfinite(value)}
     lines = [f"best: {place_in_words(file, place)}, {'commonest motion' if place.motion else 'z'} = {place.z}: at least "
              f"{units.amount(quantity.factor * place.worst, quantity.unit, 4)} in all cells of its box"]
     there = []
@@ -82,7 +82,7 @@ def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapp
         there.append(f"power into the contact {units.amount(fields['contact_power_w'], 'W', 4)}")
     if "impact_speed" in fields:
         there.append(f"impact speed {units.amount(fields['impact_speed'], 'm/s', 4)}")
-    return [*lines, "  there, from the job's own start: " + ", ".join(there)]
+    return [*lines, "  there, from the job's own start: " + ", ".join(there)] if there else lines
 
 
 def _span(numbers: Reals, unit: str) -> str:

@@ -18,7 +18,7 @@ from .fills import Fill, fill
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
 LETTERS = 8  # pt, of a legend
-BAR_MARGIN = 0.3  # in, at both sides of a colour bar's label together
+BAR_MARGIN = 0.5  # in, at both sides of a colour bar's label together: scales at the left move it to the right
 KEY_GAP, SPACE, MARGIN = 0.06, 0.14, 0.1  # in: after the key of an entry, between columns, around all entries
 PATCH, LINE = 1.4, 2.0  # length of a key over the font size
 

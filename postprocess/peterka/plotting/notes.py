@@ -20,7 +20,9 @@ from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
-HALO = 1.6  # pt, of a letter: wider ones hide what a note lies over
+HALO = 3.0  # pt, of a note's letters: those of neighbours meet, and no dark colour shows between them
+LETTER_HALO = 1.6  # pt, of the label of one of several marks: a wider one hides the others
+LINE_HALO = 1.8  # pt, of the line to a mark
 NEAR = (5, 9, 14, 20)  # pt: of a label from its point; with a line beyond LINED, from a box beyond LINED_BOX
 LINED, LINED_BOX = 9, 4
 CLEAR = 5  # pt: by which the label of a box without a line to it is nearer to that box than to any other
@@ -61,7 +63,7 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     taken = _taken(ax, marks)
     others = (marks[:, :2] + marks[:, 2:]) / 2
     others = others[np.linalg.norm(others - own, axis=1) > AIR]
-    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(HALO), zorder=8)
+    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(LETTER_HALO), zorder=8)
     for letters in sorted({size, 6.5, 5}, reverse=True):
         note.set_fontsize(min(letters, size))
         box = _box(note)
@@ -87,8 +89,8 @@ def write_at_group(ax: Axes, points: Reals, text: str, size: float, lines: Reals
     marks = seen.boxes(ax)
     taken, others = _taken(ax, marks), (marks[:, :2] + marks[:, 2:]) / 2
     others = others[np.min(np.linalg.norm(others[:, None] - points, axis=2), axis=1, initial=np.inf) > AIR]
-    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, weight="bold", ha="left", va="bottom", path_effects=outline(1.6),
-                   zorder=7)
+    note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, weight="bold", ha="left", va="bottom",
+                   path_effects=outline(LETTER_HALO), zorder=7)
     for letters in (size, 5):
         note.set_fontsize(letters)
         box = np.array([_box(note).width, _box(note).height])
@@ -217,14 +219,14 @@ def _is_nearest(box: Bbox, own: Reals, others: Reals) -> bool:
 def _draw_line(ax: Axes, own: Reals, box: Bbox) -> None:
     ends = ax.transData.inverted().transform([own, np.clip(own, box.min, box.max)])
     limits = ax.get_xlim(), ax.get_ylim()
-    ax.plot(*ends.T, color="black", linewidth=0.6, zorder=5.9, gid=TO_MARK)
+    ax.plot(*ends.T, color="black", linewidth=0.6, zorder=5.9, gid=TO_MARK, path_effects=outline(LINE_HALO))
     ax.set(xlim=limits[0], ylim=limits[1])
 
 
 def _write_apart(ax: Axes, x: float, y: float, text: str, taken: Reals) -> None:
     note = ax.annotate(text, (x, y), xycoords="data", xytext=(0, 0), textcoords="axes fraction",
                        path_effects=outline(HALO), zorder=7,
-                       arrowprops={"arrowstyle": "-", "linewidth": 0.6})
+                       arrowprops={"arrowstyle": "-", "linewidth": 0.6, "path_effects": outline(LINE_HALO)})
     for size, places in ((8, PLACES), (6.5, PLACES), (5, PLACES), (5, MORE_PLACES)):
         note.set(fontsize=size)
         free = _nearest_free(_box(note), ax, places, taken, ax.transData.transform((x, y)))

@@ -27,6 +27,7 @@ STRIP = 0.085  # height of a branch's row of classes over that of its panel
 ROW, NOTE_LETTERS = 0.085, 6.5  # height of a line of notes over that of the panel, and size of its letters [pt]
 BESIDE, ABOVE = 16, 27  # pt: of a gap over its panel, beside the name of the scale there or above it
 STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
+EXACT = 13  # significant digits that a number keeps in another unit
 
 
 @dataclass(frozen=True)
@@ -143,7 +144,8 @@ def place_text(file: SweepFile, value: float) -> str:
     if scale is None:
         return f"{value:.{digits}g}"
     name, factor = scale
-    in_units = f"{value * factor:.{digits}g} {name.rpartition('(')[2].rstrip(')')}"
+    # the ratio of 20.375 Hz gives back 20.374999..., which would be rounded down
+    in_units = f"{float(f'{value * factor:.{EXACT}g}'):.{digits}g} {name.rpartition('(')[2].rstrip(')')}"
     if replaces:
         return in_units
     return either(file, in_units, f"{value:.{digits}g}")
