@@ -60,6 +60,7 @@ std::vector<std::string> omitted_in_words(const job::Job& job, const findings::S
             readable_count(statistics.counts.filled)));
     }
     sentences.emplace_back("the rest of each trajectory once its regime is verified");
+    if (job::is_rigid(job.contact)) return sentences;  // whose forces have no bound
     sentences.emplace_back(
         "peak forces of transients: forces are looked for on orbits that were found, and while chaos is "
         "observed");

@@ -38,7 +38,7 @@ std::string attractor_in_words(const AttractorLabel& label) {
 }
 
 std::string numbers(const StartCounts& counts) {
-    std::string text = "  attractors of a cell:";
+    std::string text = "  attractors on which they end:";
     for (std::size_t n = 1; n < counts.by_number.size(); ++n) {
         if (counts.by_number[n] == 0) continue;
         text += fmt::format("{} {}{}: {}", text.ends_with(':') ? "" : ",", n,

@@ -112,9 +112,12 @@ bool strikes(const Statistics& statistics) {
 std::string forces(const SummaryInput& input) {
     const auto& largest = input.findings.statistics.largest;
     if (job::is_rigid(input.scene.job().contact) && strikes(input.findings.statistics)) {
-        return "\nNo peak forces: a rigid stop strikes with forces beyond any bound. Ask for impact_speed or "
-               "impulse\n"
-               "under [output] fields instead.\n";
+        const job::Output& output = input.scene.job().output;
+        const bool asks =
+            output.has(job::OptionalField::impact_speed) || output.has(job::OptionalField::impulse);
+        return fmt::format("\nNo peak forces: a rigid stop strikes with forces beyond any bound. {}\n",
+                           asks ? "The file has what was asked for instead,\nimpact_speed or impulse."
+                                : "Ask for impact_speed or impulse\nunder [output] fields instead.");
     }
     const std::string lines =
         force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
@@ -139,9 +142,9 @@ std::string effort(const SummaryInput& input) {
     const Statistics& statistics = input.findings.statistics;
     const auto cells = static_cast<double>(std::max<std::int64_t>(statistics.counts.cells, 1));
     return fmt::format(
-        "\nWork\n{}  {:.1f} forcing cycles and {} per cell, {} on the clocks of all ranks together\n"
+        "\nWork\n{}  {} forcing cycles and {} per cell, {} on the clocks of all ranks together\n"
         "  this run: {} on {} {}\n",
-        refinement(statistics), static_cast<double>(statistics.counts.cycles) / cells,
+        refinement(statistics), readable_mean(static_cast<double>(statistics.counts.cycles) / cells),
         readable_duration(statistics.tile_seconds / cells), readable_duration(statistics.tile_seconds),
         readable_duration(input.effort.wall_seconds), input.effort.ranks,
         input.effort.ranks == 1 ? "rank" : "ranks");

@@ -155,7 +155,7 @@ std::string time_price(const job::Job& job) {
     const double seconds = cells * cost.seconds;
     const double margin = 2 * cost.relative_error;
     std::string text =
-        fmt::format("#   time     {:.3g} cycles a {}: {}{} of one core{}", cost.cycles,
+        fmt::format("#   time     {} cycles a {}: {}{} of one core{}", readable_mean(cost.cycles),
                     is_sweep ? "point" : "cell", cost.unseen_share > 0 ? "at least " : "some ",
                     seconds < 1e-3 ? "1 ms or less" : readable_duration(seconds),
                     job.kind == job::Kind::curves ? " for the coarse map; following curves comes on top"

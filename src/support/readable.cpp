@@ -19,6 +19,11 @@ std::string readable_count(std::int64_t count) {
     return digits;
 }
 
+std::string readable_mean(double mean) {
+    constexpr double large = 999.95;  // 1,000 with a decimal
+    return mean < large ? fmt::format("{:.1f}", mean) : readable_count(std::llround(mean));
+}
+
 std::string readable_duration(double seconds) {
     if (!std::isfinite(seconds) || seconds < 0) return "unknown";
     if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);

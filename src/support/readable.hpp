@@ -9,6 +9,8 @@
 namespace peterka {
 
 [[nodiscard]] std::string readable_count(std::int64_t count);  // 262144 -> "262,144"
+// Of counts: 25 -> "25.0", 1974.2 -> "1,974".
+[[nodiscard]] std::string readable_mean(double mean);
 [[nodiscard]] std::string readable_duration(double seconds);   // 3725 -> "1 h 2 min", 0.00125 -> "1.3 ms"
 [[nodiscard]] std::string readable_bytes(std::int64_t bytes);  // 1536000 -> "1.5 MB" (powers of 1000)
 // With `digits` digits and the prefix that keeps the number between 1 and 1000: 2714 N -> "2.714 kN".

@@ -172,7 +172,7 @@ def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
     jobs.write(tmp_path, many_starts.small_map(count=64, columns=16, rows=16))
     finished = launch.run("run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 0, finished.stderr
-    for words in ("Where 64 starts of each cell end", "attractors of a cell: 1:", "commonest pairs:", "no impact",
+    for words in ("Where 64 starts of each cell end", "attractors on which they end: 1:", "commonest pairs:", "no impact",
                   "[start] ends on another attractor than most starts in",
                   # 1 - 0.5^(1/64) and 1 - 0.01^(1/64)
                   "64 starts miss an attractor whose basin takes 1.1 % of the rectangle in every second cell",

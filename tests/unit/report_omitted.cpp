@@ -11,7 +11,7 @@ namespace peterka {
 namespace {
 
 TEST(Omitted, TellsWhatNoCellNeeded) {
-    const job::Job job = map_file::examples::small_map(3, 5);
+    job::Job job = map_file::examples::small_map(3, 5);
     findings::Statistics statistics;
     statistics.counts.by_engine[static_cast<std::size_t>(cell::Engine::exact)] = 15;
     const auto told = [&](const char* words) {
@@ -27,6 +27,8 @@ TEST(Omitted, TellsWhatNoCellNeeded) {
     statistics.counts.by_engine[static_cast<std::size_t>(cell::Engine::cvode)] = 1;
     EXPECT_EQ(told("SUNDIALS is not called"), 0);
     EXPECT_EQ(told("4 cells: filled from computed ones"), 1);
+    job.contact = job::Restitution{0.5};
+    EXPECT_EQ(told("peak forces of transients"), 0);  // there are none at all
 }
 
 }  // namespace

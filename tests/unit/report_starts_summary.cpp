@@ -24,7 +24,7 @@ TEST(StartsSummary, GivesSharesOfTheCells) {
     counts.known_hit = 3;
     const std::string text = text_of(counts);
     for (const char* words :
-         {"attractors of a cell: 1: 75.0 %\n",
+         {"attractors on which they end: 1: 75.0 %\n",
           "motions with impacts and without: 25.0 % of the cells; none with impacts is known: 13.0 %\n",
           "known, though no start ended on it: one with impacts in 3 cells\n",
           "[start] ends on another attractor than most starts in 4.0 % of the cells\n"}) {

@@ -242,6 +242,12 @@ TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
     const scene::Scene scene(job);
     const std::string text = summary_text({scene, {statistics, {}, {}}, "a.h5", {1, 1}});
     EXPECT_TRUE(contains(text, "No peak forces: a rigid stop")) << text;
+    EXPECT_TRUE(contains(text, "Ask for impact_speed or impulse")) << text;
+    job.output.fields = {job::OptionalField::impact_speed};
+    const scene::Scene asked(job);
+    const std::string answered = summary_text({asked, {statistics, {}, {}}, "a.h5", {1, 1}});
+    EXPECT_FALSE(contains(answered, "Ask for")) << answered;
+    EXPECT_TRUE(contains(answered, "The file has what was asked for instead")) << answered;
     EXPECT_FALSE(contains(text, "No cell strikes the stop for ever")) << text;
     statistics.counts.by_regime = {100, 0, 0, 0, 0, 0};
     EXPECT_TRUE(contains(summary_text({scene, {statistics, {}, {}}, "a.h5", {1, 1}}),

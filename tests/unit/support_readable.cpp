@@ -17,6 +17,14 @@ TEST(Readable, CountsHaveSeparators) {
     EXPECT_EQ(readable_count(std::numeric_limits<std::int64_t>::max()), "9,223,372,036,854,775,807");
 }
 
+TEST(Readable, MeansHaveADecimalOrSeparators) {
+    EXPECT_EQ(readable_mean(0), "0.0");
+    EXPECT_EQ(readable_mean(25.04), "25.0");
+    EXPECT_EQ(readable_mean(999.94), "999.9");
+    EXPECT_EQ(readable_mean(999.96), "1,000");
+    EXPECT_EQ(readable_mean(107080.2), "107,080");
+}
+
 TEST(Readable, DurationsChangeUnitAtTheRightPlace) {
     EXPECT_EQ(readable_duration(12.34e-6), "12.3 us");
     EXPECT_EQ(readable_duration(0.0123), "12.3 ms");
