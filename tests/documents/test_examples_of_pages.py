@@ -95,7 +95,7 @@ def test_variables_of_attractors_outcomes_sweeps_and_curves_are_told():
     rows = re.findall(r'^    \{"(\w+)", of_(?:attractor|outcome)\(', (SOURCE / "cell" / "quantities.hpp").read_text(), re.MULTILINE)
     files = ("map_file/samples.hpp", "map_file/attractor_samples.hpp", "curves/tables.cpp", "curves/branch_tables.cpp")
     names = rows + [name for file in files for name in re.findall(r'\{"(\w+)",\s*(?:hdf5::)?Number::', (SOURCE / file).read_text())]
-    assert len(rows) == 25 and len(names) > 51
+    assert len(rows) == 26 and len(names) > 52
     page = (ROOT / "postprocess" / "README.md").read_text()
     assert [name for name in names if f"`{name}`" not in page] == []
 
