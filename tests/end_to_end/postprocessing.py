@@ -1,5 +1,5 @@
 """The programs of postprocess/, called in this process: a start of Python with matplotlib takes longer than most pictures.
-That they start as programs of their own is seen by test_scripts.py, test_axes.py and test_pictures_of_lengths.py."""
+That they start as programs of their own is seen by test_operating_point.py, test_pictures_of_lengths.py and test_axes.py."""
 
 import contextlib
 import importlib
