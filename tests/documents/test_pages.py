@@ -4,6 +4,7 @@ import os
 import re
 import shlex
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -52,6 +53,13 @@ def test_links_lead_somewhere(page):
         assert not anchor or anchor in anchors(file), target
 
 
+@cache
+def options_of(program, *sub):
+    """The options that a program tells of itself."""
+    told = subprocess.run([program, *sub, "--help"], capture_output=True, text=True, check=True).stdout
+    return {"--help", *re.findall(r"--[\w-]+", told)}
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_commands_and_their_options_exist(page):
     for words in commands(page):
@@ -60,8 +68,7 @@ def test_commands_and_their_options_exist(page):
         options = {word.partition("=")[0] for word in words[1:] if word.startswith("--")}
         if options:
             sub = [words[1]] if words[0] == "build/peterka" and not words[1].startswith("-") else []
-            told = subprocess.run([program, *sub, "--help"], capture_output=True, text=True, check=True).stdout
-            assert options <= {"--help", *re.findall(r"--[\w-]+", told)}, words
+            assert options <= options_of(program, *sub), words
 
 
 def test_the_complete_job_is_sound(tmp_path):

@@ -50,13 +50,15 @@ def kill(process, victim, random):
     return bool(victims)
 
 
-def run_and_kill(folder, ranks, victim, random):
-    """Whether a process could be killed before the run ended by itself."""
+def run_and_kill(folder, ranks, victim, random, longest=LONGEST_WAIT):
+    """Whether a process could be killed before the run ended by itself; `longest`: wait from the first cell."""
     process = launch.start("run", "job.toml", cwd=folder, ranks=ranks)
+    wait = LONGEST_WAIT
     if random.random() < 0.7:
         process.stderr.readline()  # "... cells to compute"
+        wait = longest
     try:
-        process.communicate(timeout=random.uniform(0, LONGEST_WAIT))
+        process.communicate(timeout=random.uniform(0, wait))
         return False
     except subprocess.TimeoutExpired:
         try:
@@ -85,14 +87,15 @@ def finish(folder, whole, toll):
     (folder / "job.h5").unlink()
 
 
-def campaign(folder, whole, kills, random):
-    """Kills this many runs of the folder's job; `whole` is its map from an uninterrupted run."""
+def campaign(folder, whole, kills, random, longest=LONGEST_WAIT):
+    """Kills this many runs of the folder's job; `whole` is its map from an uninterrupted run. The shorter the `longest` wait, the fewer
+    runs come to their end before they are killed."""
     toll = Toll()
     ranks = None
     while toll.kills.total() < kills:
         ranks = random.choice([number for number in RANKS if number != ranks])
         victim = random.choice(VICTIMS)
-        if run_and_kill(folder, ranks, victim, random):
+        if run_and_kill(folder, ranks, victim, random, longest):
             toll.kills[victim] += 1
             look(folder / "job.h5", whole, toll)
         else:

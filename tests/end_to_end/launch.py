@@ -20,7 +20,10 @@ def environment():
     return dict(entry.split("=", 1) for entry in shell.stdout.split("\0") if entry)
 
 
-ENVIRONMENT = environment()
+# ob1 is what Open MPI chooses on one machine after it has started and left all others, which takes longer than a small job.
+ENVIRONMENT = environment() | {"OMPI_MCA_pml": "ob1"}
+# Without the daemon that Open MPI 4 starts beside a program not started by mpirun, which takes longer than a small job, too.
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1"}
 
 
 def command(*arguments, ranks=None, binary=BINARY):
@@ -28,17 +31,16 @@ def command(*arguments, ranks=None, binary=BINARY):
     return [*launcher, str(binary), *map(str, arguments)]
 
 
-def run(*arguments, cwd, ranks=None, binary=BINARY, alone=False):
-    """Runs to the end; returns returncode, stdout and stderr. `alone`: without the daemon that Open MPI 4 starts beside a
-    program not started by mpirun, which takes longer than a small job."""
+def run(*arguments, cwd, ranks=None, binary=BINARY):
+    """Runs to the end; returns returncode, stdout and stderr."""
     return subprocess.run(
         command(*arguments, ranks=ranks, binary=binary),
-        cwd=cwd, env=ENVIRONMENT | ({"OMPI_MCA_ess_singleton_isolated": "1"} if alone else {}), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGING,
+        cwd=cwd, env=ENVIRONMENT | (ALONE if ranks is None else {}), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGING,
     )
 
 
 def start(*arguments, cwd, ranks=None):
-    """Starts the process and returns it, with stdout and stderr as pipes."""
+    """Starts the process, as a user would, and returns it, with stdout and stderr as pipes."""
     return subprocess.Popen(
         command(*arguments, ranks=ranks),
         cwd=cwd, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,

@@ -107,7 +107,7 @@ def job(kind, axes, unit):
 
 def compute(folder, text, stem):
     jobs.write(folder, text, f"{stem}.toml")
-    return launch.run("run", f"{stem}.toml", "--quiet", cwd=folder, alone=True)
+    return launch.run("run", f"{stem}.toml", "--quiet", cwd=folder)
 
 
 @pytest.mark.parametrize("row", ROWS)
@@ -271,7 +271,7 @@ def far_from(curves, others):
 def test_what_means_nothing_is_refused_with_its_reason(tmp_path, name, unit):
     text, reason = REFUSALS[name]
     jobs.write(tmp_path, text(UNITS[unit]))
-    checked = launch.run("check", "job.toml", cwd=tmp_path, alone=True)
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
     assert checked.returncode == 2 and reason in checked.stderr, checked.stderr
 
 

@@ -2,9 +2,7 @@
 over axes in Hz, m and m/s as over ratios."""
 
 import re
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +10,8 @@ import pytest
 import jobs
 import launch
 from either_unit import RATIOS, SI, rig
+from postprocessing import POSTPROCESS, program
 
-POSTPROCESS = Path(__file__).parents[2] / "postprocess"
 REGULAR = {
     "plane": lambda unit: rig("map") + unit.axis("frequency", 1.6, 2.1, 11) + unit.axis("gap", 0.3, 0.9, 9),
     "sweep": lambda unit: (rig("sweep") + unit.axis("frequency", 1.7, 2.0, 16) + '[sweep]\nsamples = 2\ndirection = "both"\n'
@@ -37,13 +35,6 @@ def files(tmp_path_factory):
             assert finished.returncode == 0, finished.stderr
         return path
     return file
-
-
-def program(name, folder, *arguments):
-    done = subprocess.run([sys.executable, POSTPROCESS / f"{name}.py", *map(str, arguments)], cwd=folder, capture_output=True, text=True,
-                          check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def both(files, name, folder, program_name, *arguments):

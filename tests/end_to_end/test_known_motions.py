@@ -120,7 +120,7 @@ def test_shares_and_cells_are_as_if_nothing_else_were_known(tmp_path, known_file
 @pytest.mark.parametrize("attractors", [1, 2, 8])
 def test_a_run_that_was_stopped_in_between_ends_the_same(tmp_path, attractors):
     """Some tiles have the known motions already, in others only starts were solved, and others are missing."""
-    jobs.write(tmp_path, text(attractors, count=30))  # enough that orbits continued by neighbours are displaced
+    jobs.write(tmp_path, text(attractors, columns=48, rows=32, count=30))  # enough that orbits continued by neighbours are displaced
     path = tmp_path / "job.h5"
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
     whole = shutil.copy(path, tmp_path / "whole.h5")

@@ -129,7 +129,7 @@ def test_a_run_with_a_killed_rank_ends_and_goes_on(tmp_path, larger_map_file, ra
 def test_kills_at_random_moments_lose_nothing(tmp_path, medium_map_file):
     """tests/endurance.sh kills some hundred more."""
     jobs.write(tmp_path, jobs.medium_map())
-    toll = kills.campaign(tmp_path, medium_map_file, 10, random.Random(1))
+    toll = kills.campaign(tmp_path, medium_map_file, 10, random.Random(1), longest=0.3)
     assert toll.harm == 0, toll
 
 
@@ -141,7 +141,7 @@ def test_kills_lose_nothing_of_the_outcomes_of_drawn_rigs(tmp_path):
     with h5py.File(spoilt, "r+") as file:
         file["outcome_period"][0, 20, 39] += 1  # would be seen
     assert map_contents.wrong_tiles(spoilt, whole) == 1
-    toll = kills.campaign(tmp_path, whole, 6, random.Random(1))
+    toll = kills.campaign(tmp_path, whole, 6, random.Random(1), longest=0.4)
     assert toll.harm == 0, toll
 
 

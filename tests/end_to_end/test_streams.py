@@ -23,8 +23,10 @@ ALL_CLOSED = "exec >&- <&- 2>&-; "
 
 
 def run_in_shell(redirection, *arguments, cwd):
+    """With all closed, as a user would: what MPI opens or starts might take their descriptors, too."""
     line = redirection + 'exec "$0" "$@"'
-    return subprocess.run(["sh", "-c", line, *launch.command(*arguments)], cwd=cwd, env=launch.ENVIRONMENT,
+    return subprocess.run(["sh", "-c", line, *launch.command(*arguments)], cwd=cwd,
+                          env=launch.ENVIRONMENT | ({} if redirection == ALL_CLOSED else launch.ALONE),
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=launch.HANGING)
 
 
@@ -72,9 +74,9 @@ def test_a_log_that_nobody_reads_changes_nothing(tmp_path, kind):
     jobs.write(tmp_path, KINDS[kind])
     reads, writes = os.pipe()
     os.close(reads)
-    stopped = subprocess.run(launch.command("run", "job.toml", "--max-wall", "1e-9"), cwd=tmp_path, env=launch.ENVIRONMENT,
+    stopped = subprocess.run(launch.command("run", "job.toml", "--max-wall", "1e-9"), cwd=tmp_path, env=launch.ENVIRONMENT | launch.ALONE,
                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=writes, timeout=launch.HANGING)
-    finished = subprocess.run(launch.command("run", "job.toml"), cwd=tmp_path, env=launch.ENVIRONMENT,
+    finished = subprocess.run(launch.command("run", "job.toml"), cwd=tmp_path, env=launch.ENVIRONMENT | launch.ALONE,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=writes, timeout=launch.HANGING)
     os.close(writes)
     assert (stopped.returncode, finished.returncode) == (5, 0)

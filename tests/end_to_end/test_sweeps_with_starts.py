@@ -112,7 +112,7 @@ def test_starts_end_where_another_engine_leads_them(tmp_path, sweep_file):
             tmp_path, jobs.RIG.format(kind="map", title="single")
             + jobs.axis("frequency_ratio", frequencies[0], frequencies[-1], len(columns))
             + jobs.axis("gap_ratio", GAPS[1], GAPS[1], 1) + f"[start]\ndisplacement_ratio = {float(x)!r}\nvelocity_ratio = {float(v)!r}\n"
-            '[solver]\nengine = "cvode"\n[output]\nfields = ["sensitivity"]\n', name="single", ranks=2)
+            '[solver]\nengine = "cvode"\n[output]\nfields = ["sensitivity"]\n', name="single")
         for n in range(len(columns)):
             label = tuple(int(single[name][0, n]) for name in ("regime", "impacts", "period"))
             expected[n][label] = expected[n].get(label, 0) + 1

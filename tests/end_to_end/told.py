@@ -165,7 +165,7 @@ def trace_of_cell(path, folder):
     """A trace of a settled cell ends as in the map."""
     named, known = named_in_the_other_unit(path)
     jobs.write(folder, jobs.trace_of(path, named))
-    finished = launch.run("run", "job.toml", cwd=folder, alone=True)
+    finished = launch.run("run", "job.toml", cwd=folder)
     assert finished.returncode == 0, finished.stderr
     assert "agrees in regime and z" in finished.stdout
     with h5py.File(folder / "job.h5") as file:
@@ -179,7 +179,7 @@ def basin_of_cell(path, folder):
     around = "".join(jobs.axis(f"{name}_ratio", either_unit.PLACE[name] - 0.5, either_unit.PLACE[name] + 0.5, 3)
                      for name in ("displacement", "velocity"))
     jobs.write(folder, f'schema = 1\nkind = "basin"\n[basin]\nmap = "{path}"\n{named}{around}')
-    finished = launch.run("run", "job.toml", "--quiet", cwd=folder, alone=True)
+    finished = launch.run("run", "job.toml", "--quiet", cwd=folder)
     assert finished.returncode == 0, finished.stderr
     with h5py.File(folder / "job.h5") as file:
         assert np.allclose([file[name][1, 1] for name in (*LABEL, "peak_force_ratio")], known, rtol=1e-7, equal_nan=True)

@@ -1,6 +1,7 @@
 """Makes the programs in postprocess/ importable and runs them inside the test's process."""
 
 import importlib
+import os
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,6 +10,8 @@ import pytest
 
 POSTPROCESS = Path(__file__).resolve().parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
+# Starts of the program without what takes Open MPI longest; it changes no result: see end_to_end/launch.py.
+os.environ |= {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1"}
 
 
 def pytest_configure(config):

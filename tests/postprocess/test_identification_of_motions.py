@@ -17,6 +17,7 @@ from simulated_hammer import Hammer, driven, noisy, simulate, write
 
 RATE = 51200.0
 HAMMER = Hammer()
+# Rigs of tests/endurance.sh identification that were refused or mistaken; test_identification_of_hard_motions.py has more of them.
 SHORT_FLIGHTS = Hammer(0.7222458616500826, 13.320020294119335, 0.009964880878985987, 182217301.72854725, 5670.29333645436,
                        0.0001929715314472648, -0.0014449744726688458)
 THREE_IMPACTS = Hammer(0.16926034081522512, 11.759256159840993, 0.005869205274709485, 25705905.71629523, 1205.4143116421233,
@@ -66,12 +67,16 @@ def test_the_gap_is_fitted_and_its_covariance_written(tmp_path, run_program):
     assert errors[0] == pytest.approx(numbers(out)["stop's stiffness ki"][1], rel=0.05)
 
 
-@pytest.mark.parametrize("names, noise", [(["force"], 0.02), (["displacement"], 0.002), (["acceleration"], 0.01)])
-def test_a_wrong_gap_is_refused(tmp_path, run_program, names, noise):
+def refuses_a_wrong_gap(tmp_path, run_program, names, noise):
     path = recorded(tmp_path / "a.csv", release(), names, noise)
     code, _, err = run_program("identify", path, "--mass-kg", HAMMER.mass, "--gap-mm", 0.7)
     assert code == 2 and "0.7 mm from the stop" in err and err.count("\n") == 1, err
     assert not (tmp_path / "a_rig.toml").exists()
+
+
+@pytest.mark.parametrize("names, noise", [(["force"], 0.02), (["displacement"], 0.002)])
+def test_a_wrong_gap_is_refused(tmp_path, run_program, names, noise):
+    refuses_a_wrong_gap(tmp_path, run_program, names, noise)
 
 
 def test_springs_and_cart_act_during_driven_impacts(tmp_path, run_program):
@@ -104,8 +109,7 @@ def test_an_offset_far_from_the_median_is_found():
     assert not isinstance(pulls, str) and max(map(abs, pulls.values())) < 4.5, pulls
 
 
-@pytest.mark.parametrize("names, noise, seed", [(("acceleration",), 0.0027666244986762232, 1001), (("force",), 0.0017635837318563448, 1007),
-                                                (("acceleration",), 0.001356163020207942, 1005)])
+@pytest.mark.parametrize("names, noise, seed", [(("force",), 0.0017635837318563448, 1007)])
 def test_five_impacts_with_little_noise(names, noise, seed):
     """Rig 1 of the same, which was refused: springs and gap had come with a restitution that was then not begun with, or the last
     impact was missed."""
@@ -113,7 +117,7 @@ def test_five_impacts_with_little_noise(names, noise, seed):
     assert not isinstance(pulls, str) and max(map(abs, pulls.values())) < 4.5, pulls
 
 
-@pytest.mark.parametrize("noise, seed", [(0.024699590807650065, 3001), (0.03936611586871756, 3005)])
+@pytest.mark.parametrize("noise, seed", [(0.03936611586871756, 3005)])
 def test_two_rigs_that_meet_the_same_impacts_are_named(noise, seed):
     """Rig 3 of the same, which was found at 0.79 of its frequency with small errors."""
     time, columns = four_swings(THREE_IMPACTS)
