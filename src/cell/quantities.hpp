@@ -251,7 +251,8 @@ using enum Recorded;
 using enum Dimension;
 
 inline constexpr const char* life_words =
-    "mean life of a settled motion under the disturbances of [noise]: until it would no longer return without them";
+    "mean life of a settled motion under the disturbances of [noise]: until it would no longer return without "
+    "them";
 inline constexpr const char* life_least_words =
     "where no life was seen to end under [noise]: it lasts at least that long, roughly";
 inline constexpr const char* kick_words =

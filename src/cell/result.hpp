@@ -89,7 +89,8 @@ struct Result {
     std::int32_t forgot_after = 0;
     Kick kick = {};  // on request, in a job without [starts]: of the orbit on which this cell ends
     Elasticities elasticities = no_elasticities;  // on request
-    // Under random disturbances (noise/mean_life.hpp), in a job without [starts], in 1/omega: of a settled motion.
+    // Under random disturbances (noise/mean_life.hpp), in a job without [starts], in 1/omega: of a settled
+    // motion.
     double mean_life = unknown;
     double mean_life_error = unknown;
     double mean_life_least = unknown;
@@ -120,8 +121,8 @@ struct Attractor {
     double peak_force = unknown;  // F/(k A0)
     double share = 0;             // of the cell's starts
     // For chaos from which starts of the cell were seen to escape, and under random disturbances for settled
-    // motions: its mean life and the standard error of the mean life, in 1/omega; and where none was seen to end,
-    // how long it is at least, roughly.
+    // motions: its mean life and the standard error of the mean life, in 1/omega; and where none was seen to
+    // end, how long it is at least, roughly.
     double mean_life = unknown;
     double mean_life_error = unknown;
     double mean_life_least = unknown;
