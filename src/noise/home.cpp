@@ -110,13 +110,12 @@ double Home::find_radius(DisturbedMap& map) {
 // From states at this distance all around each point.
 bool Home::takes_back_from(DisturbedMap& map, double distance) const {
     constexpr int directions = 8;
-    std::int64_t cycles = 0;
     for (const Point& point : points_) {
         const Matrix root = point.covariance.llt().matrixL();
         for (int n = 0; n < directions; ++n) {
             const double angle = 2 * std::numbers::pi * n / directions;
             const State off = distance * root * State(std::cos(angle), std::sin(angle));
-            if (!takes_back(map, point.state + off, cycles).value_or(false)) return false;
+            if (!takes_back(map, point.state + off).value_or(false)) return false;
         }
     }
     return true;
@@ -141,7 +140,7 @@ bool Home::is_very_near(const State& state) const {
     return distance(state) < of_radius * radius_ && std::ranges::any_of(points_, touches);
 }
 
-std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::int64_t& cycles) const {
+std::optional<bool> Home::takes_back(DisturbedMap& map, State state) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
     constexpr std::size_t periods = 16;  // up to which another motion is known by its return
@@ -153,7 +152,6 @@ std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::int64_
         const auto returns = [&](const State& before) { return (state - before).norm() < same; };
         if (n >= periods && std::ranges::any_of(last, returns)) return false;
         last[n % periods] = state;
-        ++cycles;
         const auto next = map.at_next_phase_0({state});
         if (!next) return std::nullopt;
         state = *next;

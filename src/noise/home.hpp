@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -34,9 +33,8 @@ class Home {
     }
 
     // Whether the motion from a state at phase 0 returns if it is not disturbed; nothing where the engine can't
-    // follow it. Adds to a number of cycles.
-    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state,
-                                                 std::int64_t& cycles) const;
+    // follow it.
+    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state) const;
 
   private:
     struct Point {

@@ -19,14 +19,15 @@ constexpr double times_to_relax = 3;  // that it is away before, if that is long
 constexpr double strong = 0.25;  // with a smaller radius of home it is asked at once: it may be home by chance
 constexpr std::int64_t enough_lives = 100;
 constexpr std::int64_t trials_for_levels = 256;
-constexpr double reach_next = 0.25;   // share of trials that should get from a level to the next
-constexpr double leaves_often = 0.3;  // so large a share of trials that leave needs no further level
+constexpr std::int64_t reach_next = trials_for_levels / 4;         // that should get from a level to the next
+constexpr std::int64_t leaves_often = 3 * trials_for_levels / 10;  // so many that leave need no further level
 constexpr int changes_between_looks = 4;
-constexpr int estimates = 8;
+constexpr std::int64_t estimates = 8;
 constexpr std::int64_t fewest_trials = 32;
-constexpr double rarest = 1e-15;  // per cycle
-constexpr double of_none =
-    3;  // with 95 % probability, the mean number of events of which none was seen is less
+constexpr std::int64_t most_trials = 1'000'000;
+constexpr std::size_t most_departures = 100'000;  // kept to begin trials from
+constexpr double rarest = 1e-15;                  // per cycle
+constexpr double of_none = 3;  // of which none is seen, the mean number is less with 95 % probability
 constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 
 // A disturbed motion.
@@ -78,7 +79,7 @@ class Walk {
             return Now::home;
         }
         if (++walker.away < walker.ask) return Now::away;
-        const auto returns = home_.takes_back(map_, walker.motion.state, undisturbed_);
+        const auto returns = home_.takes_back(map_, walker.motion.state);
         if (!returns) return Now::failed;
         if (!*returns) {
             walker.left = true;
@@ -101,7 +102,6 @@ class Walk {
     RandomNumbers random_;
     std::int64_t patience_;
     std::int64_t changes_ = 0;
-    std::int64_t undisturbed_ = 0;  // cycles
 };
 
 // Motions that are followed until they leave, one after the other.
@@ -109,7 +109,8 @@ struct Followed {
     std::int64_t cycles = 0;  // lived
     std::int64_t lives = 0;   // ended
     std::int64_t failed = 0;
-    std::vector<Walker> departures = {};  // just after they were home
+    std::int64_t departures = 0;
+    std::vector<Walker> departed = {};  // just after they were home: the first of them
     [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
 };
 
@@ -119,7 +120,10 @@ Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
     for (std::int64_t n = 0; n < budget && followed.lives < most_lives; ++n) {
         const Now now = walk.cycle(walker);
         ++followed.cycles;
-        if (now == Now::away && walker.away == 1) followed.departures.push_back(walker);
+        if (now == Now::away && walker.away == 1) {
+            ++followed.departures;
+            if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
+        }
         if (now != Now::left && now != Now::failed) continue;
         if (walk.patience() > 1) followed.cycles -= walker.away - 1;  // in the first of these it left
         ++(now == Now::left ? followed.lives : followed.failed);
@@ -198,18 +202,19 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
             if (trial.failed) return std::nullopt;
             furthest.push_back(trial.left ? infinitely_far : trial.records.back().first);
         }
-        levels.trial_cycles.push_back(static_cast<double>(walk.cycles() - before) / trials_for_levels);
-        const auto leave = static_cast<double>(std::ranges::count(furthest, infinitely_far));
+        levels.trial_cycles.push_back(static_cast<double>(walk.cycles() - before) /
+                                      static_cast<double>(trials_for_levels));
+        const auto leave = std::ranges::count(furthest, infinitely_far);
         std::ranges::sort(furthest);
-        const double next = furthest[static_cast<std::size_t>((1 - reach_next) * trials_for_levels)];
-        levels.leads_away = leave >= leaves_often * trials_for_levels || next == infinitely_far;
+        const double next = furthest[static_cast<std::size_t>(trials_for_levels - reach_next)];
+        levels.leads_away = leave >= leaves_often || next == infinitely_far;
         const bool is_rarest = levels.probability * departures_per_cycle < rarest;
         if (levels.leads_away || is_rarest || !(next > last) || walk.cycles() >= end) return levels;
         from.clear();
         for (const Trial& trial : trials) {
             if (const auto walker = reached(trial, next)) from.push_back(*walker);
         }
-        levels.probability *= static_cast<double>(from.size()) / trials_for_levels;
+        levels.probability *= static_cast<double>(from.size()) / static_cast<double>(trials_for_levels);
         levels.distances.push_back(next);
         last = next;
     }
@@ -219,9 +224,9 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
 std::optional<double> rate_of(Walk& walk, const Levels& levels, std::int64_t budget, std::int64_t trials) {
     const Followed base = follow(walk, budget, std::numeric_limits<std::int64_t>::max());
     if (!base.is_sound()) return std::nullopt;
-    if (base.departures.empty()) return 0;
-    double rate = static_cast<double>(base.departures.size()) / static_cast<double>(base.cycles);
-    std::vector<Walker> from = base.departures;
+    if (base.departures == 0) return 0;
+    double rate = static_cast<double>(base.departures) / static_cast<double>(base.cycles);
+    std::vector<Walker> from = base.departed;
     for (std::size_t n = 0; n <= levels.distances.size(); ++n) {
         const double target = n < levels.distances.size() ? levels.distances[n] : infinitely_far;
         std::vector<Walker> there;
@@ -263,10 +268,10 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     Walk walk(map, home, seed);
     const Followed first = follow(walk, budget / 4, enough_lives);
     if (!first.is_sound()) return std::nullopt;
-    if (first.lives == enough_lives || first.departures.empty()) return life_of(first);
+    if (first.lives == enough_lives || first.departures == 0) return life_of(first);
     const double departures_per_cycle =
-        static_cast<double>(first.departures.size()) / static_cast<double>(first.cycles);
-    const auto levels = choose_levels(walk, first.departures, departures_per_cycle, budget / 2);
+        static_cast<double>(first.departures) / static_cast<double>(first.cycles);
+    const auto levels = choose_levels(walk, first.departed, departures_per_cycle, budget / 2);
     if (!levels) return std::nullopt;
     const double reached_per_cycle = departures_per_cycle * levels->probability;
     if (!levels->leads_away) {
@@ -276,10 +281,10 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     const std::int64_t each = std::max(budget - walk.cycles(), budget / 4) / (2 * estimates);
     double of_trials = 0;
     for (const double cycles : levels->trial_cycles) of_trials += cycles;
-    const auto trials =
-        std::max(fewest_trials, static_cast<std::int64_t>(static_cast<double>(each) / of_trials));
+    const auto trials = std::clamp(static_cast<std::int64_t>(static_cast<double>(each) / of_trials),
+                                   fewest_trials, most_trials);
     std::vector<double> rates;
-    for (int n = 0; n < estimates; ++n) {
+    for (std::int64_t n = 0; n < estimates; ++n) {
         const auto rate = rate_of(walk, *levels, each, trials);
         if (!rate) return std::nullopt;
         rates.push_back(*rate);
