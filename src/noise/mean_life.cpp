@@ -227,8 +227,9 @@ std::optional<double> rate_of(Walk& walk, const Levels& levels, std::int64_t bud
     if (base.departures == 0) return 0;
     double rate = static_cast<double>(base.departures) / static_cast<double>(base.cycles);
     std::vector<Walker> from = base.departed;
-    for (std::size_t n = 0; n <= levels.distances.size(); ++n) {
-        const double target = n < levels.distances.size() ? levels.distances[n] : infinitely_far;
+    std::vector<double> targets = levels.distances;
+    targets.push_back(infinitely_far);
+    for (const double target : targets) {
         std::vector<Walker> there;
         for (std::int64_t i = 0; i < trials; ++i) {
             const Trial trial = run_trial(walk, from[walk.one_of(from.size())], target);
