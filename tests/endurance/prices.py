@@ -48,12 +48,12 @@ def ratios(folder, name, settings):
     sets = [word for each in settings.split() for word in ("--set", each)]
     started, _ = processor_time(PROGRAM, "--version")
     _, told = processor_time(PROGRAM, "check", JOBS / f"{name}.toml", *sets)
-    cycles, time = re.search(r"#   time     ([\d.e+]+) cycles a .*?: (?:some|at least) (.+?) of one core", told).groups()
+    cycles, time = re.search(r"#   time     ([\d.,]+) cycles a .*?: (?:some|at least) (.+?) of one core", told).groups()
     file = folder / f"{name}.h5"
     used, _ = processor_time(PROGRAM, "run", JOBS / f"{name}.toml", *sets, "--output", file, "--fresh", "--quiet")
     with h5py.File(file) as opened:
         counted = np.mean(opened["cycles"][()])
-    return float(cycles) / counted, seconds(time) / (used - started)
+    return float(cycles.replace(",", "")) / counted, seconds(time) / (used - started)
 
 
 def main():
