@@ -13,8 +13,6 @@ struct Disturbance {
     double speed = 0;  // standard deviation of the velocity that white noise adds per sqrt(tau), in A0 omega
     double amplitude = 0;  // of the cart's amplitude in each cycle, relative
     double frequency = 0;  // of the frequency of each cycle, relative
-
-    [[nodiscard]] bool any() const { return speed > 0 || amplitude > 0 || frequency > 0; }
 };
 
 // A white acceleration of one-sided spectral density S changes the velocity in a time t by a random amount of

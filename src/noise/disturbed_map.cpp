@@ -39,9 +39,12 @@ DisturbedMap::DisturbedMap(const scene::Oscillator<double>& oscillator, const re
       settings_(settings),
       disturbance_(disturbance),
       changes_(changes_of(oscillator.period())),
-      size_(disturbance.speed * std::sqrt(oscillator.period() / changes_)),
       usual_(cart_of({})),
       last_(cart_of({})) {}
+
+double DisturbedMap::size_of_change(double period) const {
+    return disturbance_.speed * std::sqrt(period / changes_);
+}
 
 DisturbedMap::Cart DisturbedMap::cart_of(const Deviations& deviations) const {
     const double scale = 1 + deviations.amplitude;
@@ -93,8 +96,9 @@ bool DisturbedMap::advance(DisturbedState& motion, RandomNumbers& random) {
     }
     const double from = passed(motion.changes);
     ++motion.changes;
-    if (!carry(use(motion.cart), motion.state, from, passed(motion.changes))) return false;
-    if (size_ > 0) motion.state[1] += size_ * random.normal();
+    Cart& cart = use(motion.cart);
+    if (!carry(cart, motion.state, from, passed(motion.changes))) return false;
+    if (disturbance_.speed > 0) motion.state[1] += size_of_change(cart.period) * random.normal();
     return true;
 }
 
@@ -112,12 +116,13 @@ std::optional<State> DisturbedMap::deviating(const State& start, const Deviation
 
 std::optional<DisturbedMap::Linear> DisturbedMap::linear(const State& start) {
     Linear cycle{start, Jacobian::Identity(), Jacobian::Zero()};
+    const double variance = std::pow(size_of_change(usual_.period), 2);
     for (int n = 0; n <= changes_; ++n) {
         Jacobian flow;
         if (!carry(usual_, cycle.end, passed(n), n < changes_ ? passed(n + 1) : 1, &flow)) return std::nullopt;
         cycle.jacobian = flow * cycle.jacobian;
         cycle.covariance = flow * cycle.covariance * flow.transpose();
-        if (n < changes_) cycle.covariance(1, 1) += size_ * size_;
+        if (n < changes_) cycle.covariance(1, 1) += variance;
     }
     return cycle;
 }

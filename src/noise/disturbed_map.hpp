@@ -73,6 +73,8 @@ class DisturbedMap {
     [[nodiscard]] Cart& use(const Deviations& deviations);
     [[nodiscard]] static bool carry(Cart& cart, scene::State<double>& state, double from, double to,
                                     scene::Jacobian<double>* jacobian = nullptr);
+    // Standard deviation of a change in a cycle of this length.
+    [[nodiscard]] double size_of_change(double period) const;
     void begin(DisturbedState& motion, const Deviations& cart);
     [[nodiscard]] bool finish(DisturbedState& motion);
     // The part of a cycle that has passed.
@@ -82,7 +84,6 @@ class DisturbedMap {
     regime::EngineSettings settings_;
     Disturbance disturbance_;
     int changes_;  // per cycle
-    double size_;  // standard deviation of a change
     Cart usual_;
     Cart last_;  // the last cart that deviated
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace peterka::noise {
 
@@ -61,35 +62,67 @@ Matrix inverse(Matrix covariance) {
     return covariance.inverse();
 }
 
+// The cycles of a closed motion, from one of its points on.
+struct Round {
+    std::vector<State> starts;
+    std::vector<Linear> cycles;
+    Matrix flow = Matrix::Identity();
+    Matrix added = Matrix::Zero();  // covariance
+
+    [[nodiscard]] State missed() const { return cycles.back().end - starts.front(); }
+};
+
+std::optional<Round> round_from(DisturbedMap& map, State state, int period) {
+    Round round;
+    for (int n = 0; n < period; ++n) {
+        const auto cycle = cycle_from(map, state);
+        if (!cycle) return std::nullopt;
+        round.starts.push_back(state);
+        round.cycles.push_back(*cycle);
+        round.flow = cycle->jacobian * round.flow;
+        round.added = cycle->jacobian * round.added * cycle->jacobian.transpose() + cycle->covariance;
+        state = cycle->end;
+    }
+    return round;
+}
+
+// Newton's method from a point near an orbit: a point that is off would not be returned to. Nothing where it is
+// no such point: an orbit of another engine may lack a small term.
+std::optional<Round> closed_round(DisturbedMap& map, const State& near, int period) {
+    constexpr double near_enough = 1e-5;  // relative
+    constexpr double closed = 1e-11;
+    constexpr double closed_by_integrators = 1e-7;
+    constexpr int most_steps = 6;
+    const double size = 1 + near.norm();
+    auto round = round_from(map, near, period);
+    if (!round || !(round->missed().norm() <= near_enough * size)) return std::nullopt;
+    for (int n = 0; n < most_steps && round->missed().norm() > closed * size; ++n) {
+        const State step = (Matrix::Identity() - round->flow).fullPivLu().solve(round->missed());
+        auto next = round_from(map, round->starts.front() + step, period);
+        if (!next || !(next->missed().norm() < round->missed().norm())) break;
+        round = std::move(next);
+    }
+    if (!(round->missed().norm() <= closed_by_integrators * size)) return std::nullopt;
+    return round;
+}
+
 }  // namespace
 
 std::optional<Home> Home::of(DisturbedMap& map, const State& at_phase_0, int period) {
     constexpr double rounding = 1e-9;
-    constexpr double closed = 1e-5;  // relative; an orbit of another engine may lack a small term
-    std::vector<Linear> cycles;
-    Matrix flow = Matrix::Identity();
-    Matrix added = Matrix::Zero();
-    Home home;
-    State state = at_phase_0;
-    for (int n = 0; n < period; ++n) {
-        const auto cycle = cycle_from(map, state);
-        if (!cycle) return std::nullopt;
-        home.points_.push_back({.state = state, .covariance = {}, .precision = {}});
-        cycles.push_back(*cycle);
-        flow = cycle->jacobian * flow;
-        added = cycle->jacobian * added * cycle->jacobian.transpose() + cycle->covariance;
-        state = cycle->end;
-    }
-    if (!((state - at_phase_0).norm() <= closed * (1 + at_phase_0.norm()))) return std::nullopt;
-    const double largest_multiplier = flow.eigenvalues().cwiseAbs().maxCoeff();
+    const auto round = closed_round(map, at_phase_0, period);
+    if (!round) return std::nullopt;
+    const double largest_multiplier = round->flow.eigenvalues().cwiseAbs().maxCoeff();
     if (!(largest_multiplier < 1 - rounding)) return std::nullopt;
+    Home home;
     home.slowest_ = std::pow(largest_multiplier, 1.0 / period);
-    Matrix covariance = stationary(flow, added);
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
+    Matrix covariance = stationary(round->flow, round->added);
+    for (std::size_t i = 0; i < round->cycles.size(); ++i) {
         if (!covariance.allFinite()) return std::nullopt;
-        home.points_[i].covariance = covariance;
-        home.points_[i].precision = inverse(covariance);
-        covariance = cycles[i].jacobian * covariance * cycles[i].jacobian.transpose() + cycles[i].covariance;
+        home.points_.push_back({round->starts[i], covariance, inverse(covariance)});
+        home.spread_ = std::max(home.spread_, std::sqrt(covariance.trace()));
+        const Linear& cycle = round->cycles[i];
+        covariance = cycle.jacobian * covariance * cycle.jacobian.transpose() + cycle.covariance;
     }
     home.radius_ = home.find_radius(map);
     return home;
@@ -101,7 +134,7 @@ double Home::find_radius(DisturbedMap& map) {
     constexpr double small = 1e-3;  // where the motion is linear
     constexpr double step = 4;
     double radius = largest;
-    while (radius * std::sqrt(points_.front().covariance.trace()) > small) radius /= step;
+    while (radius * spread_ > small) radius /= step;
     radius_ = radius;
     while (radius < largest && takes_back_from(map, step * radius)) radius_ = radius *= step;
     return radius;
@@ -134,17 +167,18 @@ double Home::distance(const State& state) const {
 bool Home::is_very_near(const State& state) const {
     constexpr double of_radius = 0.025;
     constexpr double converges = 1e-3;  // relative
-    const auto touches = [&](const Point& point) {
-        return (state - point.state).norm() < converges * (1 + point.state.norm());
-    };
-    return distance(state) < of_radius * radius_ && std::ranges::any_of(points_, touches);
+    constexpr double is_there = 1e-7;   // about what integrators miss it by
+    double off = std::numeric_limits<double>::infinity();
+    for (const Point& point : points_)
+        off = std::min(off, (state - point.state).norm() / (1 + point.state.norm()));
+    return off < is_there || (off < converges && distance(state) < of_radius * radius_);
 }
 
 std::optional<bool> Home::takes_back(DisturbedMap& map, State state) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
     constexpr std::size_t periods = 16;  // up to which another motion is known by its return
-    const double same = std::min(1e-9, 1e-3 * std::sqrt(points_.front().covariance.trace()));
+    const double same = std::min(1e-9, 1e-3 * spread_) * (1 - slowest_);  // no slow approach is taken for one
     const auto most = static_cast<std::size_t>(std::max(longest, -times_to_relax / std::log(slowest_)));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {

@@ -14,8 +14,8 @@ namespace peterka::noise {
 
 class Home {
   public:
-    // The motion of period q through a state at forcing phase 0. Nothing where the engine doesn't return to
-    // that state after q cycles, or where the linearized motion isn't stable.
+    // The motion of period q next to a state at forcing phase 0, by Newton's method. Nothing where the engine
+    // doesn't return to about that state after q cycles, or where the linearized motion isn't stable.
     [[nodiscard]] static std::optional<Home> of(DisturbedMap& map, const scene::State<double>& at_phase_0,
                                                 int period);
 
@@ -48,6 +48,7 @@ class Home {
 
     std::vector<Point> points_;
     double slowest_ = 0;
+    double spread_ = 0;  // the largest deviation from a point
     double radius_ = 0;
 };
 

@@ -25,8 +25,6 @@ TEST(Disturbance, DeviationsOfTheCartAreThoseOfTheJob) {
     EXPECT_EQ(disturbance.amplitude, 0.02);
     EXPECT_EQ(disturbance.frequency, 0.01);
     EXPECT_EQ(disturbance.speed, 0);
-    EXPECT_TRUE(disturbance.any());
-    EXPECT_FALSE(Disturbance{}.any());
 }
 
 }  // namespace

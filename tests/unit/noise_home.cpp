@@ -103,6 +103,17 @@ TEST(Home, NoHomeOffAnOrbitOrOnAnUnstableOne) {
     EXPECT_FALSE(Home::of(ever, State(-50, 1 / (1 - 2.25) * 2.25 * 1.5), 1));
 }
 
+TEST(Home, APointThatIsALittleOffIsThatOfTheSameHome) {
+    const testing::Settled motion = testing::one_in_three();
+    DisturbedMap map(motion.oscillator, {}, white(6e-3));
+    const auto home = Home::of(map, motion.point, 3);
+    const auto near = Home::of(map, motion.point + State(-1e-5, 2e-5), 3);
+    ASSERT_TRUE(home && near);
+    EXPECT_NEAR((near->first_point() - home->first_point()).norm(), 0, 1e-10);
+    EXPECT_EQ(near->radius(), home->radius());
+    EXPECT_EQ(home->radius(), 2);
+}
+
 TEST(Home, HomeEndsWhereTheBasinDoes) {
     const testing::Settled motion = testing::one_in_three();
     double last = 10;
