@@ -55,7 +55,6 @@ class Walk {
 
     [[nodiscard]] Walker begin() const { return {.motion = {home_.first_point()}, .ask = patience_}; }
     [[nodiscard]] std::int64_t cycles() const { return changes_ / map_.changes_per_cycle(); }
-    [[nodiscard]] std::int64_t patience() const { return patience_; }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
 
     // How far from home it would be at the next phase 0 without more disturbances, if it is worth
@@ -88,6 +87,18 @@ class Walk {
         walker.ask += patience_;
         return Now::away;
     }
+    // Whether it is home, or has just been seen to return.
+    [[nodiscard]] bool is_known_to_return(const Walker& walker) const {
+        return !walker.left && walker.ask - walker.away == patience_;
+    }
+    // Of the states at phase 0 since it was known to return, the number of those from which it would have
+    // returned: by bisection, as if it left once.
+    [[nodiscard]] std::int64_t returning(const std::vector<scene::State<double>>& away) {
+        const auto returns = [&](const scene::State<double>& state) {
+            return home_.takes_back(map_, state).value_or(false);
+        };
+        return std::ranges::partition_point(away, returns) - away.begin();
+    }
     // A whole cycle.
     Now cycle(Walker& walker) {
         for (;;) {
@@ -117,17 +128,24 @@ struct Followed {
 Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
     Followed followed;
     Walker walker = walk.begin();
+    std::vector<scene::State<double>> away;
     for (std::int64_t n = 0; n < budget && followed.lives < most_lives; ++n) {
         const Now now = walk.cycle(walker);
         ++followed.cycles;
+        if (walk.is_known_to_return(walker)) {
+            away.clear();
+        } else {
+            away.push_back(walker.motion.state);
+        }
         if (now == Now::away && walker.away == 1) {
             ++followed.departures;
             if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
         }
         if (now != Now::left && now != Now::failed) continue;
-        if (walk.patience() > 1) followed.cycles -= walker.away - 1;  // in the first of these it left
+        followed.cycles -= std::ssize(away) - 1 - walk.returning(away);  // it left in the cycle after those
         ++(now == Now::left ? followed.lives : followed.failed);
         walker = walk.begin();
+        away.clear();
     }
     return followed;
 }

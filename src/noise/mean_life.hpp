@@ -3,7 +3,7 @@
 // It is home where, at forcing phase 0, it is about as near to its orbit as disturbances keep it
 // (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, and
 // would not return within 500 cycles, or twenty times its relaxation time, without disturbances. Its mean life
-// is the mean time until then, counted up to the cycle in which it was home last. Where
+// is the mean time until then, counted up to when it would first not have returned. Where
 // disturbances are so strong that states at a quarter of a standard deviation would not return, it could be
 // home by chance, and has left as soon as it would not return.
 //
