@@ -12,8 +12,9 @@ std::string lives_summary(const scene::Scene& scene, const findings::LifeFinding
     const bool has_starts = scene.job().starts.count > 0;
     const std::string head = "\nHow long settled motions last under [noise]\n";
     if (lives.motions == 0) return head + "  no settled motion could be followed\n";
-    std::string text = head + fmt::format("  {} {} followed\n", readable_count(lives.motions),
-                                          has_starts ? "attractors" : "motions");
+    std::string text =
+        head + fmt::format("  {} {} followed\n", readable_count(lives.motions),
+                           (has_starts ? "attractor" : "motion") + std::string(lives.motions == 1 ? "" : "s"));
     if (lives.ending > 0) {
         text +=
             fmt::format("  {:>9} of these: seen to end; the shortest mean life is {:.3g} +- {:.1g} s, at {}\n",

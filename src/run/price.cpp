@@ -201,13 +201,25 @@ std::string certificate_price(const job::Job& job) {
     return text;
 }
 
-// A disturbed cycle took 5 us in closed form and 1.2 ms by an integrator, in trials twice that, as measured on
-// the paper's rig of 170 mm.
+// The engine that settled motions are probably followed by; a reach of ten amplitudes is that of most motions.
+regime::Engine engine_of_lives(const job::Job& job) {
+    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
+    constexpr double reach = 10;
+    const bool omits = job.solver.engine == job::EngineChoice::automatic &&
+                       !regime::has_nonlinear_contact(rig) &&
+                       regime::effect_of_cubic(rig, reach) <= job.solver.omit_tolerance;
+    return omits ? regime::Engine::exact : regime::EngineByReach(rig, job.solver, reach).settings().engine;
+}
+
+// Per disturbed cycle, in trials and around them, as measured on the paper's rig of 170 mm: 4 to 10 us in
+// closed form, 30 us with its cubic springs, 1 to 2 ms by integrators.
 std::string noise_price(const job::Job& job) {
     if (!job.noise.any()) return "";
-    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
-    const bool integrates = regime::has_nonlinear_contact(rig) || !regime::may_use_batch(rig, job.solver);
-    const double seconds = static_cast<double>(job.noise.cycles) * (integrates ? 2.4e-3 : 1e-5);
+    const regime::Engine engine = engine_of_lives(job);
+    const double of_cycle = engine == regime::Engine::exact   ? 1e-5
+                            : engine == regime::Engine::split ? 3e-5
+                                                              : 2e-3;
+    const double seconds = static_cast<double>(job.noise.cycles) * of_cycle;
     return fmt::format("#   noise    some {} of one core for each settled motion, {} if each {} has one\n",
                        readable_duration(seconds),
                        readable_duration(seconds * static_cast<double>(job.cells())),

@@ -95,5 +95,7 @@ def test_check_tells_what_they_cost(tmp_path):
     jobs.write(tmp_path, text())
     told = launch.run("check", "job.toml", cwd=tmp_path).stdout
     assert "#   noise    some 20.0 ms of one core for each settled motion, 300.0 ms if each cell has one" in told
+    kept = launch.run("check", "job.toml", "--set", "solver.engine=\"cvode\"", cwd=tmp_path).stdout
+    assert "some 4.0 s of one core for each settled motion, 1 min 0 s if" in kept
     jobs.write(tmp_path, text(more=""))
     assert "#   noise" not in launch.run("check", "job.toml", cwd=tmp_path).stdout
