@@ -28,6 +28,13 @@ def test_without_starts_it_is_the_cells_own():
     assert np.array_equal(bound, [[NAN, NAN, 50.0]], equal_nan=True)
 
 
+def test_what_is_no_time_is_no_life():
+    regime = np.full((1, 4), PERIODIC)
+    shown, bound = life_map._settled(regime, np.array([[0.0, -1.0, np.inf, 2.0]]), np.array([[np.inf, 0.0, 3.0, NAN]]))
+    assert np.array_equal(shown, [[NAN, NAN, NAN, 2.0]], equal_nan=True)
+    assert np.array_equal(bound, [[NAN, NAN, 3.0, NAN]], equal_nan=True)
+
+
 @pytest.mark.parametrize("lives, limits", [([3.0, 40.0], (1.0, 100.0)), ([25.0], (10.0, 1000.0)), ([NAN], (1.0, 100.0)),
                                            ([0.2, 3e9], (0.1, 1e5)), ([0.02, 700.0], (0.01, 1000.0))])
 def test_the_scale_has_whole_powers_of_ten(lives, limits):
