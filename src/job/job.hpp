@@ -189,6 +189,8 @@ struct Noise {
     double amplitude_relative = 0;             // standard deviation of the cart's amplitude, cycle by cycle
     double frequency_relative = 0;             // of the excitation frequency
     std::int64_t cycles = 100'000;             // computed for each motion, roughly [forcing cycles]
+    // A motion that takes longer to forget a small deviation is not followed [forcing cycles].
+    [[nodiscard]] double most_to_relax() const { return static_cast<double>(cycles) / 20; }
     [[nodiscard]] bool any() const {
         return acceleration_m_s2_per_sqrt_hz > 0 || amplitude_relative > 0 || frequency_relative > 0;
     }

@@ -15,11 +15,6 @@ using Cycle = trajectory::Cycle<double>;
 using State = scene::State<double>;
 using Jacobian = scene::Jacobian<double>;
 
-int changes_of(double period) {
-    constexpr int fewest = 16;
-    return std::max(fewest, static_cast<int>(std::ceil(period / (std::numbers::pi / 4))));
-}
-
 // The oscillator in lengths that are `scale` times as large.
 scene::Oscillator<double> rescaled(scene::Oscillator<double> oscillator, double scale) {
     oscillator.gap /= scale;
@@ -33,12 +28,17 @@ scene::Oscillator<double> rescaled(scene::Oscillator<double> oscillator, double 
 
 }  // namespace
 
+int changes_per_cycle(double period) {
+    constexpr int fewest = 16;
+    return std::max(fewest, static_cast<int>(std::ceil(period / (std::numbers::pi / 4))));
+}
+
 DisturbedMap::DisturbedMap(const scene::Oscillator<double>& oscillator, const regime::EngineSettings& settings,
                            const Disturbance& disturbance)
     : oscillator_(oscillator),
       settings_(settings),
       disturbance_(disturbance),
-      changes_(changes_of(oscillator.period())),
+      changes_(noise::changes_per_cycle(oscillator.period())),
       usual_(cart_of({})),
       last_(cart_of({})) {}
 
@@ -103,6 +103,7 @@ bool DisturbedMap::advance(DisturbedState& motion, RandomNumbers& random) {
 }
 
 std::optional<State> DisturbedMap::at_next_phase_0(const DisturbedState& motion) {
+    ++quiet_cycles_;
     DisturbedState end = motion;
     if (!finish(end)) return std::nullopt;
     return end.state;

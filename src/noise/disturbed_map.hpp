@@ -10,6 +10,7 @@
 // hammer keeps its own. There a state is told for a cart that passes with its usual velocity.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "noise/disturbance.hpp"
@@ -33,6 +34,9 @@ struct DisturbedState {
     Deviations cart = {};
     [[nodiscard]] bool at_phase_0() const { return changes == 0; }
 };
+
+// Of white noise, in a cycle of this length in tau.
+[[nodiscard]] int changes_per_cycle(double period);
 
 class DisturbedMap {
   public:
@@ -58,6 +62,8 @@ class DisturbedMap {
                                                                 const Deviations& cart);
 
     [[nodiscard]] int changes_per_cycle() const { return changes_; }
+    // How often at_next_phase_0 was asked.
+    [[nodiscard]] std::int64_t quiet_cycles() const { return quiet_cycles_; }
     [[nodiscard]] const Disturbance& disturbance() const { return disturbance_; }
 
   private:
@@ -84,6 +90,7 @@ class DisturbedMap {
     regime::EngineSettings settings_;
     Disturbance disturbance_;
     int changes_;  // per cycle
+    std::int64_t quiet_cycles_ = 0;
     Cart usual_;
     Cart last_;  // the last cart that deviated
 };

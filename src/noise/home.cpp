@@ -108,14 +108,15 @@ std::optional<Round> closed_round(DisturbedMap& map, const State& near, int peri
 
 }  // namespace
 
-std::optional<Home> Home::of(DisturbedMap& map, const State& at_phase_0, int period) {
+std::optional<Home> Home::of(DisturbedMap& map, const State& at_phase_0, int period, double most_to_relax) {
     constexpr double rounding = 1e-9;
     const auto round = closed_round(map, at_phase_0, period);
     if (!round) return std::nullopt;
     const double largest_multiplier = round->flow.eigenvalues().cwiseAbs().maxCoeff();
     if (!(largest_multiplier < 1 - rounding)) return std::nullopt;
     Home home;
-    home.slowest_ = std::pow(largest_multiplier, 1.0 / period);
+    home.to_relax_ = -period / std::log(largest_multiplier);
+    if (home.to_relax_ > most_to_relax) return std::nullopt;
     Matrix covariance = stationary(round->flow, round->added);
     for (std::size_t i = 0; i < round->cycles.size(); ++i) {
         if (!covariance.allFinite()) return std::nullopt;
@@ -178,8 +179,8 @@ std::optional<bool> Home::takes_back(DisturbedMap& map, State state) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
     constexpr std::size_t periods = 16;  // up to which another motion is known by its return
-    const double same = std::min(1e-9, 1e-3 * spread_) * (1 - slowest_);  // no slow approach is taken for one
-    const auto most = static_cast<std::size_t>(std::max(longest, -times_to_relax / std::log(slowest_)));
+    const double same = std::min(1e-9, 1e-3 * spread_) / (1 + to_relax_);  // no slow approach is taken for one
+    const auto most = static_cast<std::size_t>(std::max(longest, times_to_relax * to_relax_));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {
         if (is_very_near(state)) return true;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,9 +16,11 @@ namespace peterka::noise {
 class Home {
   public:
     // The motion of period q next to a state at forcing phase 0, by Newton's method. Nothing where the engine
-    // doesn't return to about that state after q cycles, or where the linearized motion isn't stable.
+    // doesn't return to about that state after q cycles, or where the linearized motion isn't stable or takes
+    // more cycles than that to relax: what home takes back is found in 250 times as many, roughly.
     [[nodiscard]] static std::optional<Home> of(DisturbedMap& map, const scene::State<double>& at_phase_0,
-                                                int period);
+                                                int period,
+                                                double most_to_relax = std::numeric_limits<double>::infinity());
 
     // Of a state at phase 0.
     [[nodiscard]] double distance(const scene::State<double>& state) const;
@@ -25,8 +28,8 @@ class Home {
     // Up to this distance it is at home: two standard deviations, or less where states as far away would not
     // return without disturbances, as far as a sample shows.
     [[nodiscard]] double radius() const { return radius_; }
-    // Mean factor by which the slowest of small deviations shrinks in a cycle.
-    [[nodiscard]] double slowest() const { return slowest_; }
+    // Cycles in which the slowest of small deviations shrinks by e.
+    [[nodiscard]] double to_relax() const { return to_relax_; }
     // Of what disturbances add to its n-th point, to first order.
     [[nodiscard]] const scene::Jacobian<double>& covariance(int n) const {
         return points_[static_cast<std::size_t>(n)].covariance;
@@ -47,7 +50,7 @@ class Home {
     [[nodiscard]] bool is_very_near(const scene::State<double>& state) const;
 
     std::vector<Point> points_;
-    double slowest_ = 0;
+    double to_relax_ = 0;
     double spread_ = 0;  // the largest deviation from a point
     double radius_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ constexpr std::int64_t reach_next = trials_for_levels / 4;         // that shoul
 constexpr std::int64_t leaves_often = 3 * trials_for_levels / 10;  // so many that leave need no further level
 constexpr int changes_between_looks = 4;
 constexpr std::int64_t estimates = 8;
+constexpr std::int64_t quiet_as_disturbed = 4;  // cycles without changes that take as long as a disturbed one
 constexpr std::int64_t fewest_trials = 32;
 constexpr std::int64_t most_trials = 1'000'000;
 constexpr std::size_t most_departures = 100'000;  // kept to begin trials from
@@ -45,16 +47,23 @@ enum class Now { home, away, left, failed };
 std::int64_t patience_of(const Home& home) {
     if (home.radius() < strong) return 1;
     return static_cast<std::int64_t>(
-        std::clamp(-times_to_relax / std::log(home.slowest()), least_patience, most_patience));
+        std::clamp(times_to_relax * home.to_relax(), least_patience, most_patience));
 }
 
 class Walk {
   public:
     Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
-        : map_(map), home_(home), random_(seed), patience_(patience_of(home)) {}
+        : map_(map),
+          home_(home),
+          random_(seed),
+          patience_(patience_of(home)),
+          quiet_before_(map.quiet_cycles()) {}
 
     [[nodiscard]] Walker begin() const { return {.motion = {home_.first_point()}, .ask = patience_}; }
-    [[nodiscard]] std::int64_t cycles() const { return changes_ / map_.changes_per_cycle(); }
+    // Computed so far, in disturbed cycles.
+    [[nodiscard]] std::int64_t cycles() const {
+        return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
+    }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
 
     // How far from home it would be at the next phase 0 without more disturbances, if it is worth
@@ -91,13 +100,14 @@ class Walk {
     [[nodiscard]] bool is_known_to_return(const Walker& walker) const {
         return !walker.left && walker.ask - walker.away == patience_;
     }
-    // Of the states at phase 0 since it was known to return, the number of those from which it would have
-    // returned: by bisection, as if it left once.
-    [[nodiscard]] std::int64_t returning(const std::vector<scene::State<double>>& away) {
+    // Of the states at phase 0 since it was known to return, of which the last would not, the number of those
+    // from which it would have returned: by bisection, as if it left once.
+    [[nodiscard]] std::int64_t returning(std::span<const scene::State<double>> away) {
         const auto returns = [&](const scene::State<double>& state) {
             return home_.takes_back(map_, state).value_or(false);
         };
-        return std::ranges::partition_point(away, returns) - away.begin();
+        const auto before = away.first(away.size() - 1);
+        return std::ranges::partition_point(before, returns) - before.begin();
     }
     // A whole cycle.
     Now cycle(Walker& walker) {
@@ -112,6 +122,7 @@ class Walk {
     const Home& home_;
     RandomNumbers random_;
     std::int64_t patience_;
+    std::int64_t quiet_before_;
     std::int64_t changes_ = 0;
 };
 
@@ -129,7 +140,8 @@ Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
     Followed followed;
     Walker walker = walk.begin();
     std::vector<scene::State<double>> away;
-    for (std::int64_t n = 0; n < budget && followed.lives < most_lives; ++n) {
+    const std::int64_t end = walk.cycles() + budget;
+    while (walk.cycles() < end && followed.lives < most_lives) {
         const Now now = walk.cycle(walker);
         ++followed.cycles;
         if (walk.is_known_to_return(walker)) {
@@ -137,7 +149,7 @@ Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
         } else {
             away.push_back(walker.motion.state);
         }
-        if (now == Now::away && walker.away == 1) {
+        if ((now == Now::away || now == Now::left) && walker.away == 1) {
             ++followed.departures;
             if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
         }
@@ -204,7 +216,8 @@ struct Levels {
     bool leads_away = false;           // from the last level trials leave
 };
 
-// Nothing where trials fail.
+// As far as the budget reaches: then the estimates, which begin fewer trials, keep to theirs. Nothing where
+// trials fail.
 std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double departures_per_cycle,
                                     std::int64_t budget) {
     Levels levels;
@@ -215,6 +228,7 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
         std::vector<double> furthest;
         const std::int64_t before = walk.cycles();
         for (std::int64_t n = 0; n < trials_for_levels; ++n) {
+            if (walk.cycles() >= end) return levels;
             trials.push_back(run_trial(walk, from[walk.one_of(from.size())], infinitely_far));
             const Trial& trial = trials.back();
             if (trial.failed) return std::nullopt;
@@ -227,7 +241,7 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
         const double next = furthest[static_cast<std::size_t>(trials_for_levels - reach_next)];
         levels.leads_away = leave >= leaves_often || next == infinitely_far;
         const bool is_rarest = levels.probability * departures_per_cycle < rarest;
-        if (levels.leads_away || is_rarest || !(next > last) || walk.cycles() >= end) return levels;
+        if (levels.leads_away || is_rarest || !(next > last)) return levels;
         from.clear();
         for (const Trial& trial : trials) {
             if (const auto walker = reached(trial, next)) from.push_back(*walker);

@@ -34,11 +34,12 @@ struct MeanLife {
     double least = cell::unknown;  // where nothing was: it lasts at least that long, roughly
 };
 
-// budget: how many disturbed cycles to compute, roughly. Nothing where the engine fails on the way.
+// budget: how many disturbed cycles to compute, roughly, and cycles that tell whether a motion returns, four of
+// which count as one. Nothing where the engine fails on the way.
 [[nodiscard]] std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int64_t budget,
                                                 std::uint64_t seed);
 
-// The same by following lives for as many cycles, without splitting.
+// The same by following lives with this budget, without splitting.
 [[nodiscard]] std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home,
                                                          std::int64_t budget, std::uint64_t seed);
 

@@ -11,10 +11,17 @@ std::string lives_summary(const scene::Scene& scene, const findings::LifeFinding
     if (!scene.job().noise.any()) return "";
     const bool has_starts = scene.job().starts.count > 0;
     const std::string head = "\nHow long settled motions last under [noise]\n";
-    if (lives.motions == 0) return head + "  no settled motion could be followed\n";
-    std::string text =
-        head + fmt::format("  {} {} followed\n", readable_count(lives.motions),
-                           (has_starts ? "attractor" : "motion") + std::string(lives.motions == 1 ? "" : "s"));
+    std::string text = head;
+    if (lives.others > 0) {
+        text += fmt::format(
+            "  {} {} not followed: the engine could not, or {} more than {:.0f} forcing cycles to relax, a "
+            "twentieth of noise.cycles\n",
+            readable_count(lives.others), lives.others == 1 ? "settled motion was" : "settled motions were",
+            lives.others == 1 ? "it takes" : "they take", scene.job().noise.most_to_relax());
+    }
+    if (lives.motions == 0) return text + (lives.others == 0 ? "  there is no settled motion\n" : "");
+    text += fmt::format("  {} {} followed\n", readable_count(lives.motions),
+                        (has_starts ? "attractor" : "motion") + std::string(lives.motions == 1 ? "" : "s"));
     if (lives.ending > 0) {
         text +=
             fmt::format("  {:>9} of these: seen to end; the shortest mean life is {:.3g} +- {:.1g} s, at {}\n",

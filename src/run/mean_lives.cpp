@@ -26,7 +26,7 @@ std::optional<noise::MeanLife> life_of(const scene::Cell& cell, const job::Job& 
     const auto with = [&](const scene::Oscillator<double>& oscillator,
                           const regime::EngineSettings& settings) -> std::optional<noise::MeanLife> {
         noise::DisturbedMap map(oscillator, settings, disturbance);
-        const auto home = noise::Home::of(map, point, period);
+        const auto home = noise::Home::of(map, point, period, job.noise.most_to_relax());
         if (!home) return std::nullopt;
         return noise::mean_life(map, *home, job.noise.cycles, seed);
     };

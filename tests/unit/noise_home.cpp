@@ -24,7 +24,7 @@ TEST(Home, AFreeMotionSpreadsAsInClosedForm) {
     EXPECT_NEAR(home->covariance(0)(1, 1) / variance, 1, 1e-3);
     EXPECT_NEAR(home->covariance(0)(0, 1) / variance, 0, 1e-2);
     const double cycle = motion.oscillator.period();
-    EXPECT_NEAR(home->slowest(), std::exp(-motion.oscillator.damping_ratio * cycle), 1e-9);
+    EXPECT_NEAR(1 / home->to_relax(), motion.oscillator.damping_ratio * cycle, 1e-9);
     EXPECT_EQ(home->radius(), 2);
 }
 
@@ -47,7 +47,7 @@ void expect_to_spread_as_seen(const testing::Settled& motion, const Disturbance&
         seen[n] += off * off.transpose() / cycles;
     }
     // each relaxation time tells something new
-    const double independent = cycles * motion.period * (1 - home->slowest());
+    const double independent = cycles * motion.period * (1 - std::exp(-1 / home->to_relax()));
     const double error = 5 * std::sqrt(2 / independent);
     for (int n = 0; n < motion.period; ++n) {
         const auto& expected = home->covariance(n);
@@ -96,6 +96,10 @@ TEST(Home, NoHomeOffAnOrbitOrOnAnUnstableOne) {
     DisturbedMap other(three.oscillator, {}, white(1e-3));
     EXPECT_FALSE(Home::of(other, three.point, 1));
     EXPECT_FALSE(Home::of(other, three.point, 2));
+    // by its relaxation time in cycles
+    const double relaxes = 1 / (motion.oscillator.damping_ratio * motion.oscillator.period());
+    EXPECT_FALSE(Home::of(map, motion.point, 1, 0.99 * relaxes));
+    EXPECT_TRUE(Home::of(map, motion.point, 1, 1.01 * relaxes));
     // without damping nothing shrinks
     scene::Oscillator<double> lossless = motion.oscillator;
     lossless.damping_ratio = 0;

@@ -40,7 +40,7 @@ TEST(DisturbedLife, SplittingTellsTheLivesThatAreFollowed) {
 }
 
 TEST(DisturbedLife, ShortLivesAreFollowedOneByOne) {
-    const Lives lives = lives_of(testing::one_in_three(), white(0.03), 80'000, 5'000);
+    const Lives lives = lives_of(testing::one_in_three(), white(0.03), 400'000, 30'000);
     expect_alike(lives);
     EXPECT_NEAR(lives.split->error / lives.split->mean, 0.1, 1e-9);  // of a hundred lives
 }
@@ -53,7 +53,7 @@ TEST(DisturbedLife, DisturbancesBeyondTheBasinEndALifeAtOnce) {
 
 // Of a wander a thousand times as wide as the basin next to nothing returns.
 TEST(DisturbedLife, DisturbancesFarBeyondItAtOnce) {
-    const Lives lives = lives_of(testing::one_in_three(), white(30), 1'000, 400);
+    const Lives lives = lives_of(testing::one_in_three(), white(30), 100'000, 10'000);
     expect_alike(lives);
     EXPECT_LT(lives.split->mean, 3);
 }
