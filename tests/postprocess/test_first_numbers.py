@@ -221,6 +221,16 @@ def problem(noise=0.0, seed=0):
                  "offset_force": 0.03, "offset_displacement": 0.03}
 
 
+@pytest.mark.parametrize("impacts", [1, 3, 9])
+def test_a_motion_with_fewer_impacts_is_known_until_the_next_one(impacts):
+    one, true = problem()
+    one.legs = [replace(one.legs[0], impacts=impacts)]
+    value, times = true | {"touch 0": 0.0, "speed 0": 0.0}, touches()[0]
+    moved = one.motion(value, 0)
+    assert moved.touches == pytest.approx(times[:impacts], abs=1 / RATE)
+    assert one.known_until(moved, 0) == pytest.approx([*times, *[np.inf] * 9][impacts], abs=1 / RATE)
+
+
 def test_solving_finds_the_truth_and_its_errors():
     one, true = problem(noise=0.003, seed=5)
     found = solve.solved(one, solve.start(one, stop_ratio=true["stop_ratio"] * 1.05, damping_ratio=0.02, gap=true["gap"], offset_displacement=0.03))

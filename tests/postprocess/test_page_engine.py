@@ -41,7 +41,8 @@ def test_the_program_tells_how_far_it_is(script, capsys):
 
 
 @pytest.mark.parametrize("rig, given, numbers", [
-    ({"natural_frequency_hz": 4.5, "cart_amplitude_m": 1e-3}, {"gap_m": 2e-3, "frequency_hz": 9.0}, {"gap_ratio": 2.0, "frequency_ratio": 2.0}),
+    ({"natural_frequency_hz": 4.5, "cart_amplitude_m": 1e-3}, {"gap_m": 2e-3, "frequency_hz": 9.0},
+     {"gap_ratio": 2.0, "frequency_ratio": 2.0}),
     ({"natural_frequency_hz": 4.5}, {"gap_m": 2e-3, "frequency_ratio": 2.0}, {"gap_ratio": None, "gap_m": 2e-3, "frequency_ratio": 2.0})])
 def test_a_place_in_si_is_a_ratio_unless_that_varies_from_cell_to_cell(rig, given, numbers):
     """As that of a gap over the cart's amplitude does where this is an axis."""

@@ -87,7 +87,8 @@ def test_legends_take_nothing_from_the_height_of_a_map():
 
 
 @pytest.mark.parametrize("across, up, horizontal, vertical", [
-    (0.2, 0.2, "left", "bottom"), (0.8, 0.2, "right", "bottom"), (0.2, 0.8, "left", "top"), (0.8, 0.8, "right", "top"), (0.5, 0.5, "right", "top")])
+    (0.2, 0.2, "left", "bottom"), (0.8, 0.2, "right", "bottom"), (0.2, 0.8, "left", "top"), (0.8, 0.8, "right", "top"),
+    (0.5, 0.5, "right", "top")])
 def test_a_note_stands_on_the_side_with_more_room_and_in_the_very_middle_below_on_the_left(across, up, horizontal, vertical):
     ax = Figure(figsize=(4, 4), dpi=100).add_axes((0, 0, 1, 1))
     notes.write_beside(ax, across, up, "best")
