@@ -92,7 +92,7 @@ class Put(ast.NodeTransformer):
         self.numbers, self.found = numbers or {}, []  # found: what each place is, and becomes
 
     def put(self, node, new, wrap):
-        self.found.append((node.lineno, ast.unparse(node), ast.unparse(ast.fix_missing_locations(new)) if new else "(left out)"))
+        self.found.append((node, ast.unparse(node), ast.unparse(ast.fix_missing_locations(new)) if new else "(left out)"))
         number = self.numbers.get(len(self.found) - 1)
         return wrap(ast.Call(ast.Name("_asked_", ast.Load()), [ast.Constant(number)], [])) if number else None
 
@@ -124,13 +124,23 @@ class Put(ast.NodeTransformer):
 
 def mutants_of(path: Path) -> list[Mutant]:
     walk, seen, out = Put(), Counter(), []
-    walk.visit(ast.parse(path.read_text()))
+    text = path.read_text()
+    walk.visit(ast.parse(text))
     name = str(path.relative_to(ROOT))
-    for place, (line, before, after) in enumerate(walk.found):
+    for place, (node, before, after) in enumerate(walk.found):
         key = f"{name}: {before} -> {after}"
         seen[key] += 1
-        out.append(Mutant(name, place, line, after, before, f"{key} [{seen[key]}]"))
+        line, changed = in_line(text.splitlines()[node.lineno - 1], node, before, after)
+        out.append(Mutant(name, place, node.lineno, changed, line, f"{key} [{seen[key]}]"))
     return out
+
+
+def in_line(line: str, node: ast.AST, before: str, after: str) -> tuple[str, str]:
+    """A node's line and what becomes of it, so that it is told from others alike; of a node of several lines, or a whole one, it alone."""
+    if node.end_lineno != node.lineno or isinstance(node, ast.Expr):
+        return before, after
+    code = line.encode()  # columns count bytes
+    return line, (code[:node.col_offset] + after.encode() + code[node.end_col_offset:]).decode()
 
 
 def told(mutant: Mutant) -> str:
@@ -159,7 +169,7 @@ def main(build_folder, count, seed):
     (build / "postprocess/peterka/_mutant.py").write_text(ASKED)
     for path in {mutant.path for mutant in some.values()}:
         (build / path).write_text(mutated(ROOT / path, {mutant.begin: number for number, mutant in some.items() if mutant.path == path}))
-    known = {line.split(" # ")[0] for line in (Path(__file__).parent / "equivalent.txt").read_text().splitlines()}
+    known = {line.rpartition(" # ")[0] for line in (Path(__file__).parent / "equivalent.txt").read_text().splitlines()}
     memory = build.parent / "python_outcomes.json"
     caught = json.loads(memory.read_text()) if memory.exists() else {}
     reached, seconds = {}, {}

@@ -43,6 +43,13 @@ def test_markdown_has_table_fields_and_pictures_once():
     assert all(f"- {name}: {limit}" in text for name, limit in LIMITS)
 
 
+def test_a_picture_of_several_groups_is_in_the_first_one():
+    groups = [(title, [claim(title, "section 1", "Forces are large.", "5 N", True, pictures=names)])
+              for title, names in (("one", ["a", "b"]), ("two", ["b", "c"]), ("three", ["c", "a"]))]
+    shown = [block.names for block in page.blocks(groups, [], lambda name: True, {}) if isinstance(block, page.Pictures)]
+    assert shown == [("a", "b"), ("c",)]
+
+
 def test_html_is_one_file_with_its_pictures(tmp_path):
     (tmp_path / "seen.png").write_bytes(b"\x89PNG")
     text = html(page.blocks(CLAIMS, [], lambda name: name == "seen", {}), tmp_path)
@@ -114,6 +121,7 @@ def test_jumps_of_a_sweep(tmp_path):
     assert sweep.end_of_band(0, "up") is None and sweep.end_of_band(0, "down") is None
     assert sweep.end_of_band(1.3, "up") == pytest.approx((1.8125 * 4.5, 60 * weight, 0))  # chaos above does not count
     assert sweep.end_of_band(1.3, "down") == pytest.approx((1.5625 * 4.5, 50 * weight, 0))
+    assert [sweep.has_maximum(gap, way) for gap in (0, 1.3) for way in ("up", "down")] == [True, True, False, False]  # cut off by a jump
     assert sweep.resonance(1.3, "up")[0] == pytest.approx(1.75 * 4.5)
     assert sweep.resonance(1.3, "down")[0] == pytest.approx(1.5 * 4.5)
     assert sweep.doubling(1.3) == pytest.approx((1.75 * 4.5, 60 * weight))

@@ -9,7 +9,7 @@ import pytest
 from peterka.errors import PeterkaFileError
 from peterka.identification import solve
 from peterka.identification.contact_pulse import pulse
-from peterka.identification.first_guess import look, noise_of
+from peterka.identification.first_guess import Pulse, _refuse_clipped, look, noise_of
 from peterka.identification.impact_table import fault_of, from_impact
 from peterka.identification.numbers_found import DAMPING, STIFFNESS, Number
 from peterka.identification.problem import Leg, Problem
@@ -39,6 +39,18 @@ def touches():
     first = np.flatnonzero((columns["force"][1:] > 0) & (columns["force"][:-1] == 0))
     speeds = (columns["displacement"][first] - columns["displacement"][first - 1]) * RATE
     return time[first] + (HAMMER.gap - columns["displacement"][first]) / speeds, speeds
+
+
+@pytest.mark.parametrize("rise, flat, clipped", [((1, 3, 6, 8), 3, True), ((1, 3, 6, 8), 2, False), (np.arange(1, 9), 3, True),
+                                                 (np.arange(1, 9.2, 0.6), 3, False), (np.arange(1, 9.2, 0.6), 6, True)])
+def test_a_pulse_is_clipped_that_is_flat_for_three_samples_and_three_twentieths_of_it(rise, flat, clipped):
+    values = np.array([0.0, *rise, *[9.1] * flat, *rise[::-1], 0.0])
+    recording, one = Recording(Path("simulated"), 0.0, 1e-4, {"force": values}), Pulse(1, len(values) - 1, 1 + len(rise), 9.1)
+    if clipped:
+        with pytest.raises(PeterkaFileError, match=f"is clipped: its force stays at 9.1 for {flat} samples"):
+            _refuse_clipped(recording, "force", values, one)
+    else:
+        assert _refuse_clipped(recording, "force", values, one) is None
 
 
 @pytest.mark.parametrize("signs", [1, -1])
@@ -207,6 +219,16 @@ def problem(noise=0.0, seed=0):
     ratio = HAMMER.damping / (2 * np.sqrt(HAMMER.stiffness * HAMMER.mass))
     return one, {"stiffness": -np.log(1.02), "stop_ratio": ratio, "omega": -np.log(0.98), "damping_ratio": HAMMER.ratio, "gap": HAMMER.gap / swing,
                  "offset_force": 0.03, "offset_displacement": 0.03}
+
+
+@pytest.mark.parametrize("impacts", [1, 3, 9])
+def test_a_motion_with_fewer_impacts_is_known_until_the_next_one(impacts):
+    one, true = problem()
+    one.legs = [replace(one.legs[0], impacts=impacts)]
+    value, times = true | {"touch 0": 0.0, "speed 0": 0.0}, touches()[0]
+    moved = one.motion(value, 0)
+    assert moved.touches == pytest.approx(times[:impacts], abs=1 / RATE)
+    assert one.known_until(moved, 0) == pytest.approx([*times, *[np.inf] * 9][impacts], abs=1 / RATE)
 
 
 def test_solving_finds_the_truth_and_its_errors():

@@ -40,6 +40,18 @@ def test_the_program_tells_how_far_it_is(script, capsys):
                                                                "30 of 40 sources compiled", "40 of 40 sources compiled, linking"]
 
 
+@pytest.mark.parametrize("rig, given, numbers", [
+    ({"natural_frequency_hz": 4.5, "cart_amplitude_m": 1e-3}, {"gap_m": 2e-3, "frequency_hz": 9.0},
+     {"gap_ratio": 2.0, "frequency_ratio": 2.0}),
+    ({"natural_frequency_hz": 4.5}, {"gap_m": 2e-3, "frequency_ratio": 2.0}, {"gap_ratio": None, "gap_m": 2e-3, "frequency_ratio": 2.0})])
+def test_a_place_in_si_is_a_ratio_unless_that_varies_from_cell_to_cell(rig, given, numbers):
+    """As that of a gap over the cart's amplitude does where this is an axis."""
+    class File:
+        positive = staticmethod(rig.get)
+
+    assert engine._place(File, {"operating_point": given}) == numbers | {"displacement_ratio": None, "velocity_ratio": None}
+
+
 @pytest.mark.parametrize("text", ["echo lld is missing >&2; exit 1", "echo 2; echo a; echo lld is missing >&2; exit 1"])
 def test_what_stops_it_is_told(script, text):
     script(text)

@@ -5,6 +5,7 @@ import pytest
 from peterka.pictures import open_file, pictures_of
 from peterka.plotting.figures import figure_of
 from picture_samples import PLAIN, write_map
+from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep
 from uncertain_samples import write_uncertain_sweep
 
@@ -37,6 +38,18 @@ def test_limits_of_a_sweep_are_newtons_too(tmp_path):
         ends = [ax.get_ylim() for ax in pictures_of(file)["response"](file, limits=(0, 100), units="si")]
     # above the data a panel has room for its notes
     assert all(low == 0 and 100 <= high * WEIGHT < 150 for low, high in ends)
+
+
+@pytest.mark.parametrize("log, limits, lowest", [(False, (0, 30), 0), (False, (-5, 30), -5), (False, (5, 30), 5), (True, (5, 30), 5),
+                                                 (True, (0, 30), 0.9 * 0.1 * 1.05 * 40)])
+def test_a_sweep_begins_at_the_lower_limit_unless_it_has_no_logarithm(tmp_path, log, limits, lowest):
+    """Then it begins below a tenth of its top, which is 5 % above the largest force."""
+    path = write_sweep(tmp_path / "a.h5", gaps=(0.0,))
+    with SealedFile(path, "r+") as file:
+        file["peak_force_ratio"][:] = np.linspace(20, 40, 13)
+    with open_file(path) as file:
+        panel, = pictures_of(file)["response"](file, limits=limits, units="ratio", log=log)
+    assert panel.get_ylim()[0] == pytest.approx(lowest)
 
 
 def test_limits_of_the_response_of_rigs_are_newtons_too(tmp_path):

@@ -333,6 +333,11 @@ def test_semicolons_and_decimal_commas(tmp_path):
     assert (two.frequency, two.force, two.gap) == (pytest.approx(2.5), None, 0.0)
 
 
+def test_as_many_series_as_can_be_told_apart_are_drawn(tmp_path):
+    found = points(tmp_path, "frequency_hz,gap_mm,series\n" + "".join(f"9,0,series {n}\n" for n in range(24)))
+    assert [point.series for point in found.points] == [f"series {n}" for n in range(24)]
+
+
 def test_a_comma_that_is_no_decimal_one_is_told(tmp_path, draw):
     (tmp_path / "points.csv").write_text("frequency_hz;gap_mm\n1.234,5;0\n")
     outcome = draw(write_sweep(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv")

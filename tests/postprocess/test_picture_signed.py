@@ -6,6 +6,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 from colour_distance import lightness
+from matplotlib.collections import QuadMesh
 from matplotlib.colors import to_hex
 from peterka.maps import comparison, comparison_map
 from peterka.maps.elasticity_map import draw
@@ -65,6 +66,12 @@ def test_the_legend_and_the_colour_bar_show_what_strokes_mean(tmp_path):
     bar = next(one for one in ax.figure.axes if "% per %" in one.get_xlabel())
     left, right = (light_within(ax.figure, bar, across, (0.1, 0.9))[1].mean(axis=2) for across in ((0.05, 0.25), (0.75, 0.95)))
     assert np.ptp(left, axis=0).min() > 60 and np.ptp(right, axis=0).max() < 5  # from line to line
+
+
+def test_strokes_are_one_image_of_a_drawing_and_not_a_path_for_each_piece(tmp_path):
+    ax = grey_elasticities(tmp_path, 1.0)
+    planes = [mesh for mesh in ax.collections if isinstance(mesh, QuadMesh)]
+    assert len(planes) > 1 and all(mesh.get_rasterized() for mesh in planes)
 
 
 def test_in_colour_there_are_no_strokes(tmp_path):

@@ -100,6 +100,8 @@ def test_in_the_sketch_arrows_point_where_numbers_are_positive():
     assert words["gap (at $u=0$)"][0] == pytest.approx((gap[0] + gap[2]) / 2)
     assert (x[0], y[0], force[0]) == pytest.approx(((hammer.x0 + hammer.x1) / 2, (wall.x0 + wall.x1) / 2, hammer.x1))
     assert x[2] - x[0] == pytest.approx(1) and y[2] - y[0] == pytest.approx(1) and force[2] < force[0] and wall.y1 < x[1] == x[3] == y[1]
+    for name, arrow in (("$x$: hammer, seen from the ground", x), (r"$y=A_0\,\sin\,\Omega t$: cart", y)):
+        assert words[name][0] == arrow[0] and arrow[1] < words[name][1] < arrow[1] + 0.5, name  # above the arrow, from its beginning on
     feet = [np.transpose(line.get_data()) for line in ax.lines if line.get_linestyle() == "--"]
     assert [(foot[0, 0], foot[0, 1]) for foot in feet] == pytest.approx([(x[0], hammer.y1), (y[0], wall.y1)]) and all(foot[1, 1] > x[1] for foot in feet)
     inside = words["hammer $m$"]

@@ -92,16 +92,14 @@ class Problem:
             push = self.scale["push"] * complex(value["mean_cos"] + value[f"push_cos {number}"],
                                                 value["mean_sin"] + value[f"push_sin {number}"])
             cart = Cart(omega, push * np.exp(-1j * omega * leg.touch))
-        until = max([*leg.samples.time[-1:], *leg.samples.ends[-1:]])
         return motion(self.rig(value), cart, leg.touch + contact * value[f"touch {number}"],
-                      leg.speed * np.exp(value[f"speed {number}"]), until, leg.impacts)
+                      leg.speed * np.exp(value[f"speed {number}"]), leg.samples.until, leg.impacts)
 
     def known_until(self, moved: Motion, number: int) -> float:
         """The time [s] up to which a motion is valid: the first impact that its leg excludes."""
-        until = max([*self.legs[number].samples.time[-1:], *self.legs[number].samples.ends[-1:]])
         if len(moved.touches) < self.legs[number].impacts or moved.pieces[-1].contact:
             return np.inf
-        touch = next_touch(moved.rig, moved.cart, moved.pieces[-1], until)
+        touch = next_touch(moved.rig, moved.cart, moved.pieces[-1], self.legs[number].samples.until)
         return np.inf if touch is None else touch
 
     def as_recorded(self, value: Mapping[str, float], number: int, model: Mapping[str, Reals]) -> dict[str, Reals]:

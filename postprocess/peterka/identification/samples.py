@@ -28,6 +28,11 @@ class Samples:
     counts: Reals
     means: dict[str, Reals]
 
+    @property
+    def until(self) -> float:
+        """The time [s] of the last single sample, or the end of the last mean."""
+        return float(np.concatenate([self.time, self.ends]).max())
+
     def part(self, begin: float, end: float) -> "Samples":
         """The part between these times [s]."""
         inside, within = (self.time >= begin) & (self.time <= end), (self.begins >= begin) & (self.ends <= end)

@@ -20,6 +20,7 @@ from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
+ABOVE = 7  # the zorder of a note: marks are below it
 HALO = 3.0  # pt, of a note's letters: those of neighbours meet, and no dark colour shows between them
 LETTER_HALO = 1.6  # pt, of the label of one of several marks: a wider one hides the others
 LINE_HALO = 1.8  # pt, of the line to a mark
@@ -44,7 +45,7 @@ def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
     sides = [(right, above), (right, -above), (-right, above), (-right, -above)]
     taken = _taken(ax, seen.boxes(ax))
     note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points",
-                       path_effects=outline(HALO), zorder=7)
+                       path_effects=outline(HALO), zorder=ABOVE)
     for right, above in sides:
         note.set(position=(AWAY * right, AWAY * above), ha="left" if right > 0 else "right",
                  va="bottom" if above > 0 else "top")
@@ -63,7 +64,7 @@ def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
     taken = _taken(ax, marks)
     others = (marks[:, :2] + marks[:, 2:]) / 2
     others = others[np.linalg.norm(others - own, axis=1) > AIR]
-    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(LETTER_HALO), zorder=8)
+    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(LETTER_HALO), zorder=ABOVE)
     for letters in sorted({size, 6.5, 5}, reverse=True):
         note.set_fontsize(min(letters, size))
         box = _box(note)
@@ -90,7 +91,7 @@ def write_at_group(ax: Axes, points: Reals, text: str, size: float, lines: Reals
     taken, others = _taken(ax, marks), (marks[:, :2] + marks[:, 2:]) / 2
     others = others[np.min(np.linalg.norm(others[:, None] - points, axis=2), axis=1, initial=np.inf) > AIR]
     note = ax.text(0, 0, text, transform=ax.transAxes, fontsize=size, weight="bold", ha="left", va="bottom",
-                   path_effects=outline(LETTER_HALO), zorder=7)
+                   path_effects=outline(LETTER_HALO), zorder=ABOVE)
     for letters in (size, 5):
         note.set_fontsize(letters)
         box = np.array([_box(note).width, _box(note).height])
@@ -138,7 +139,7 @@ def write_near_box(ax: Axes, box: Bbox, text: str, sizes: Sequence[float] = (8, 
     `nearest`: not nearer than so many pt. Returns whether it fits."""
     pixels = ax.get_figure().dpi / 72
     texts, lines = _taken(ax, np.array([box.extents])), _lines_to_marks(ax)
-    note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(HALO), zorder=7)
+    note = ax.text(0, 0, text, transform=ax.transAxes, ha="left", va="bottom", path_effects=outline(HALO), zorder=ABOVE)
     marks = np.array([mark for mark in seen.boxes(ax) if not np.allclose(mark, box.extents, atol=AIR)]).reshape(-1, 4)
     for taken in (np.concatenate([texts, marks]), texts):
         for letters in sizes:
@@ -225,7 +226,7 @@ def _draw_line(ax: Axes, own: Reals, box: Bbox) -> None:
 
 def _write_apart(ax: Axes, x: float, y: float, text: str, taken: Reals) -> None:
     note = ax.annotate(text, (x, y), xycoords="data", xytext=(0, 0), textcoords="axes fraction",
-                       path_effects=outline(HALO), zorder=7,
+                       path_effects=outline(HALO), zorder=ABOVE,
                        arrowprops={"arrowstyle": "-", "linewidth": 0.6, "path_effects": outline(LINE_HALO)})
     for size, places in ((8, PLACES), (6.5, PLACES), (5, PLACES), (5, MORE_PLACES)):
         note.set(fontsize=size)

@@ -11,6 +11,8 @@ from matplotlib.axes import Axes
 
 from ..arrays import Reals
 
+LINE = 1.1  # pt
+
 
 @dataclass(frozen=True)
 class Look:
@@ -56,8 +58,8 @@ def draw_points(ax: Axes, x: Reals, y: Reals, method: str, low: Reals | None = N
     if low is not None and len(x) > 1:
         ax.fill_between(x, low, high, color=appearance.colour, alpha=0.13, linewidth=0)
     elif low is not None:
-        ax.vlines(x, low, high, color=appearance.colour, linewidth=1.0)
-    ax.plot(x, y, color=appearance.colour, linewidth=1.1, marker="none", zorder=3)
+        ax.vlines(x, low, high, color=appearance.colour, linewidth=LINE)
+    ax.plot(x, y, color=appearance.colour, linewidth=LINE, marker="none", zorder=3)
     for index in range(len(x)):
         open_marker = hollow is not None and hollow[index]
         ax.plot(x[index], y[index], zorder=4, **marker_look(method, open_marker))
