@@ -43,7 +43,7 @@ SHARED_MPI = {"OMPI_MCA_rmaps_base_oversubscribe": "1"}
 END_TO_END = {
     "attractors": ["many_starts", "known_motions"], "certificate": ["certificates"], "curves": ["curves", "unstable_branches"],
     "findings": ["sweeps", "sweeps_with_starts"], "hdf5": ["stop_and_resume"], "job": ["commands"], "map_file": ["sweeps_with_starts", "audit_of_starts", "stop_and_resume"],
-    "parallel": ["stop_and_resume"], "refine": ["refinement"], "regime": ["sweeps", "sweeps_with_starts"], "report": ["sweeps_with_starts", "commands"],
+    "noise": ["mean_lives"], "parallel": ["stop_and_resume"], "refine": ["refinement"], "regime": ["sweeps", "sweeps_with_starts"], "report": ["sweeps_with_starts", "commands"],
     "run": ["failed_cells", "commands", "audit_of_starts"], "study": ["study"], "support": ["commands"], "trace": ["trace"]}
 BEGIN, END = "<!-- tests/mutation.sh writes this table -->\n", "<!-- end of the mutants -->\n"
 HEAD = ("| folder | tried | caught by the file's own unit tests | by the folder's | by others | by tests of ranks or of the program "
