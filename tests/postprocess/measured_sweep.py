@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import expm
 
-SETTLING, OBSERVED = 250, 12  # cycles at each frequency
+SETTLING, OBSERVED = 200, 12  # cycles at each frequency
 STEPS = 48  # of a flight in each cycle
 CLOSE = 1e-6  # relative difference of the forces of the cycles of a period
 
@@ -60,37 +60,42 @@ class Piece:
 
 def settle(rig, hertz, state):
     """(peak force [N] or None without a period of up to 4 cycles, state at the end) from a state (x, x') at phase 0."""
-    pieces = Piece(rig, hertz, False), Piece(rig, hertz, True)
+    flight, pressed = Piece(rig, hertz, False), Piece(rig, hertz, True)
+    both = np.array([pressed.depth, pressed.force])
     z = np.array([*state, 0.0, 1.0, 1.0])
-    contact = bool(pieces[1].depth @ z > 0 and pieces[1].force @ z > 0)
-    peaks, cycles = [], SETTLING + OBSERVED
-    t, end, peak, number = 0.0, 1 / hertz, 0.0, 0
-    while number < cycles:
-        piece = pieces[contact]
-        ending = -piece.force if contact else piece.depth
-        level = 0
-        while level < len(piece.jumps):  # the longest step that stays before the event and the end of the cycle, halved and halved
-            after = piece.jumps[level] @ z
-            if t + piece.sizes[level] > end or ending @ after > 0:
-                level += 1
-                continue
-            z, t = after, t + piece.sizes[level]
-            if contact:
-                peak = max(peak, piece.force @ z)
-            level += level > 0
-        if end - t < 4 * piece.sizes[-1]:
-            peaks.append(peak)
-            number, t, peak = number + 1, 0.0, 0.0
-            z[2:] = 0.0, 1.0, 1.0
-            if number > 40 and peaks[-1] > 0 and all(abs(peaks[-n] / peaks[-1] - 1) < 1e-9 for n in range(2, 9)):
-                break
-        else:
-            contact = not contact
-            if contact:
-                peak = max(peak, pieces[1].force @ z)
+    contact = bool((both @ z).min() > 0)
+    peaks = []
+    while len(peaks) < SETTLING + OBSERVED and not _settled(peaks):
+        t, end, peak = 0.0, 1 / hertz, 0.0
+        while end - t > 1e-9 * end:
+            piece = pressed if contact else flight
+            level, changes = 0, False
+            while level < len(piece.jumps):  # the longest step that stays before the event and the end of the cycle, halved and halved
+                after = piece.jumps[level] @ z
+                late, over = t + piece.sizes[level] > end, ((both @ after).min() > 0) != contact
+                if late or over:
+                    changes = over and not late
+                    level += 1
+                    continue
+                z, t = after, t + piece.sizes[level]
+                peak = max(peak, both[1] @ z) if contact else peak
+                level += level > 0
+            if changes:  # the event is nearer than the smallest step
+                z, t, contact = piece.jumps[-1] @ z, t + piece.sizes[-1], not contact
+                peak = max(peak, both[1] @ z) if contact else peak
+        peaks.append(peak)
+        z[2:] = 0.0, 1.0, 1.0
+    period = _period(peaks, CLOSE)
+    return (max(peaks[-period:]) if period and max(peaks[-period:]) > 0 else None), z[:2]
+
+
+def _settled(peaks):
+    return len(peaks) > 60 and (_period(peaks, 1e-9) > 0 and peaks[-1] > 0 or max(peaks[-40:]) == 0)
+
+
+def _period(peaks, close):
     last = np.array(peaks[-OBSERVED:])
-    periodic = [q for q in (1, 2, 3, 4) if np.allclose(last[q:], last[:-q], rtol=CLOSE, atol=0)]
-    return (float(last.max()) if periodic and last.max() > 0 else None), z[:2]
+    return next((q for q in (1, 2, 3, 4) if np.allclose(last[q:], last[:-q], rtol=close, atol=0)), 0)
 
 
 def sweep(rig, hertz):

@@ -36,7 +36,8 @@ def read_bounds(text: str) -> tuple[str, tuple[float, float]]:
     name, equals, rest = text.partition("=")
     known = [*SHORT, *KEYS]
     if name.strip() not in known or not equals:
-        raise argparse.ArgumentTypeError(f"'{text}' names {instead_of([name.strip()], known, 'what can be bounded is')}; KEY=FROM:TO is needed")
+        raise argparse.ArgumentTypeError(f"'{text}' names {instead_of([name.strip()], known, 'what can be bounded is')}; it is "
+                                         "KEY=FROM:TO")
     try:
         low, high = (float(part) * (1e-3 if name.strip() == "gap_mm" else 1.0) for part in rest.split(":"))
     except ValueError:
@@ -95,8 +96,8 @@ def identify_sweep(arguments: argparse.Namespace) -> int:
             return BAD_OUTPUT
     try:
         title = f"{arguments.sweep.stem}: {int(fit.used.sum())} of {len(fit.used)} measured peak forces are fitted"
-        save_all(sweep_picture.draw(fit, model.x_of(lambda one: one.start), title), arguments.output_dir, f"{arguments.sweep.stem}_identified",
-                 arguments.formats)
+        picture = sweep_picture.draw(fit, model.x_of(lambda one: one.start), title)
+        save_all(picture, arguments.output_dir, f"{arguments.sweep.stem}_identified", arguments.formats)
     except OSError as error:
         complain_of_folder(arguments.output_dir, error)
         return BAD_OUTPUT
@@ -116,8 +117,8 @@ def model_of(arguments: argparse.Namespace) -> Model:
         raise PeterkaFileError(f"{rig.path} tells no gap; give it by --gap-mm, or points a column gap_mm")
     bounds = bounds_of(rig, keys, dict(arguments.bounds))
     if len(points.hertz) < len(keys) + SPARE:
-        raise PeterkaFileError(f"{arguments.sweep} has {len(points.hertz)} points with a force, and {len(keys)} numbers are fitted to them; "
-                               f"{len(keys) + SPARE} are needed, or fewer numbers by --fit")
+        raise PeterkaFileError(f"{arguments.sweep} has {len(points.hertz)} points with a force, and {len(keys)} numbers are fitted to "
+                               f"them; {len(keys) + SPARE} are needed, or fewer numbers by --fit")
     return Model(rig, points, bounds)
 
 
@@ -137,5 +138,6 @@ def gap_lines(model: Model, result: Identified) -> list[str]:
         return []
     number = result.number(GAP)
     assert number is not None and number.error is not None
-    return [f"gap is the smallest of {len(gaps)}: the measured ones are off by {1e3 * (number.value - gaps[0]):+.3g} ± {1e3 * number.error:.2g} mm"
-            if len(gaps) > 1 else f"the measured gap is off by {1e3 * (number.value - gaps[0]):+.3g} ± {1e3 * number.error:.2g} mm"]
+    off = f"{1e3 * (number.value - gaps[0]):+.3g} ± {1e3 * number.error:.2g} mm"
+    return [f"this gap is the smallest of {len(gaps)}: less the measured one, as for all of them, it is {off}" if len(gaps) > 1 else
+            f"less the measured gap it is {off}"]

@@ -4,8 +4,10 @@ A sweep is solved on a grid of frequencies, up and down. What lies between two o
 the file's elasticities (Hermite), so that a force at a measured frequency is as accurate as those on the grid.
 """
 
+import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
@@ -13,7 +15,7 @@ from scipy.interpolate import CubicHermiteSpline
 from ..arrays import Reals
 from ..files.opened import STANDARD_GRAVITY
 from ..files.regimes import NO_IMPACT, PERIODIC
-from ..runs import run
+from ..runs import compute as solve
 from ..sweeps.sweep_file import Branch, SweepFile
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS
 from .sweep_rig import SweptRig
@@ -75,23 +77,31 @@ def compute(rig: SweptRig, gaps: Sequence[float], span: tuple[float, float], poi
     job = {"schema": 1, "kind": "sweep", **rig.tables, "sweep": {"gap_m": at, "direction": "both", "samples": 1},
            "axes": {"frequency_hz": {"from": BEFORE * span[0], "to": BEYOND * span[1], "points": points}},
            "output": {"fields": [f"force_elasticity_{name}" for name in (BY_FREQUENCY, *(FIELDS[key] for key in keys))]}}
-    data = run(job, ranks=1)
-    with SweepFile(data) as file:
-        found, hertz = [], np.asarray(data["frequency_hz"].values, dtype=float)
-        for number, gap in enumerate(at):
+    with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
+        path = Path(folder) / "sweep.h5"
+        solve(job, path)
+        return _read(path, rig, at, keys)
+
+
+def _read(path: Path, rig: SweptRig, gaps: Sequence[float], keys: Sequence[str]) -> list[Landscape]:
+    """The Landscapes of a file with up and down branches at these gaps [m]."""
+    newtons = rig.mass * STANDARD_GRAVITY
+    with SweepFile(path) as file:
+        found, hertz = [], np.asarray(file.data.values("frequency_hz", slice(None)), dtype=float)
+        elasticities = {name: np.asarray(file.data.values(f"force_elasticity_{name}", slice(None)))
+                        for name in (BY_FREQUENCY, *(FIELDS[key] for key in keys))}
+        for number, gap in enumerate(gaps):
             branches = file.branches[2 * number:2 * number + 2]
             values = {key: gap if key == GAP else float(rig.value(key) or 0) for key in keys}
-            elasticities = {key: np.asarray(data[f"force_elasticity_{FIELDS[key]}"].values) for key in keys}
-            by_frequency = np.asarray(data[f"force_elasticity_{BY_FREQUENCY}"].values)
             strands = [strand for branch in branches for strand in _strands(
-                branch, hertz, rig.mass * STANDARD_GRAVITY, by_frequency[branch.row] / hertz,
-                {key: elasticities[key][branch.row] / values[key] for key in keys})]
-            found.append(_landscape(strands, branches, hertz, rig.mass * STANDARD_GRAVITY))
+                branch, hertz, newtons, elasticities[BY_FREQUENCY][branch.row] / hertz,
+                {key: elasticities[FIELDS[key]][branch.row] / values[key] for key in keys})]
+            found.append(_landscape(strands, branches, hertz, newtons))
         return found
 
 
 def _strands(branch: Branch, hertz: Reals, newtons: float, slope: Reals, slopes: Mapping[str, Reals]) -> list[Strand]:
-    known = (branch.regime == PERIODIC) & (branch.force > 0) & np.isfinite(slope) & np.all([np.isfinite(one) for one in slopes.values()], axis=0)
+    known = (branch.regime == PERIODIC) & (branch.force > 0) & np.all(np.isfinite([slope, *slopes.values()]), axis=0)
     log_force = np.log(newtons * np.where(known, branch.force, 1.0))
     step = np.diff(hertz)
     known &= np.abs(np.where(known, slope, 0.0)) * step[0] < STEEP

@@ -39,9 +39,10 @@ def fitted(model: Model) -> SweepFit:
     for fit, cost in zip(found, costs):
         likelihood = float(np.exp(-0.5 * (cost - min(costs))))
         if fit is not best and likelihood > RULED_OUT and _apart(best, fit.x):
-            raise PeterkaFileError(f"{model.points.path} doesn't tell two rigs apart: {_rig_words(best)}, and {_rig_words(fit)}, whose likelihood is "
-                                   f"{likelihood:.2g} of the first one's and would have to be below {RULED_OUT:g}. Measure more frequencies, "
-                                   "another gap, or restitution and contact time; --bounds leave one of them out")
+            both = f"{_rig_words(best)}, and {_rig_words(fit)}"
+            raise PeterkaFileError(f"{model.points.path} doesn't tell two rigs apart: {both}, whose likelihood is {likelihood:.2g} of the "
+                                   f"first one's and would have to be below {RULED_OUT:g}. Measure more frequencies, another gap, "
+                                   "or restitution and contact time; --bounds leave one of them out")
     return best
 
 
@@ -84,8 +85,8 @@ def judged(fit: SweepFit) -> tuple[SweepFit, list[str]]:
         square = float(np.sum(fit.left[fit.used]**2))
         if fit.freedom > 0 and chi2.sf(square, fit.freedom) < CHANCE:
             factor = square / fit.freedom
-            told.append(f"the points differ from the best fit by more than their standard errors: chi-square {square:.4g} where {fit.freedom} is "
-                        f"expected; errors are {np.sqrt(factor):.2g} times those that the points' own would give")
+            told.append(f"the points differ from the best fit by more than their standard errors: chi-square {square:.4g} where "
+                        f"{fit.freedom} is expected; errors are {np.sqrt(factor):.2g} times those that the points' own would give")
     alike, pairs = likeness(fit)
     if pairs >= FEWEST and alike * np.sqrt(pairs) > ALIKE:
         told.append(f"the points differ from the best fit by {1 / np.sqrt(max(1 - alike, 0.01)):.2g} times their scatter from neighbour to "
@@ -121,12 +122,14 @@ def hardly_told(fit: SweepFit, found: Identified) -> list[str]:
         name, factor, unit = SHORT_NAMES.get(key, key.split(".")[1]), *((1e3, " mm") if key == GAP else (1.0, ""))
         if key != GAP and number.error > WEAK * value or key == GAP and number.error > WEAK * fit.model.rig.amplitude:
             alone = _without(fit, at)
-            others = ", ".join(f"{SHORT_NAMES.get(other, other.split('.')[1])} to {100 * one:.2g} % instead of {100 * error:.2g} %"
-                               for other, one, error in zip(fit.model.keys, alone, errors) if other in (STIFFNESS, DAMPING) and other != key)
+            others = ", ".join(f"{SHORT_NAMES[other]} to {100 * one:.2g} % instead of {100 * error:.2g} %"
+                               for other, one, error in zip(fit.model.keys, alone, errors)
+                               if other in (STIFFNESS, DAMPING) and other != key)
             told.append(f"{name} is hardly told: below {number_text(Number(factor * (value + ONE_SIDED * number.error)))}{unit} (95 %). "
                         f"Were it known, the points would tell {others or 'the others better'}")
         elif any(abs(value - edge) <= 1e-3 * (bounds.highest - bounds.lowest) for edge in (bounds.lowest, bounds.highest)):
-            told.append(f"{name} ended at a bound, {factor * value:.4g}{unit}: errors of the others hold for it there; wider --bounds may fit better")
+            told.append(f"{name} ended at a bound, {factor * value:.4g}{unit}: errors of the others hold for it there; wider --bounds may "
+                        "fit better")
     condition = _condition(fit.covariance)
     if condition > ILL:
         told.append(f"the points tell combinations of the numbers and hardly each of them (condition number {condition:.2g})")

@@ -1,7 +1,7 @@
 """Fits gap, stop and damping to measured peak forces over the excitation frequency, by least squares over computed branches.
 
-Each point belongs to the nearest branch; the motion that it is on is chosen anew in each round, and within a round the force is that of this
-motion, of the end of its branch where a trial rig's branch doesn't reach the point. Far rounds have a robust loss over ln F, near ones
+Each point belongs to the nearest branch; the motion that it is on is chosen anew in each round, and within a round the force is that of
+this motion, of the end of its branch where a trial rig's branch doesn't reach the point. Far rounds have a robust loss over ln F, near ones
 are of the points that a branch explains, with weights from the standard errors or, without these, from the force of the round before.
 """
 
@@ -126,8 +126,8 @@ def far(model: Model, x: Reals, enough: Callable[[Reals], bool] = _never) -> Rea
         labels = _labels(model, x)
         kept = [number for number, label in enumerate(labels) if label is not None]
         if len(kept) < len(x) + SPARE:
-            raise PeterkaFileError(f"{model.points.path} has {len(kept)} points with a computed force nearby, and {len(x)} numbers are fitted to "
-                                   f"them; {len(x) + SPARE} are needed{_others(model, x)}")
+            raise PeterkaFileError(f"{model.points.path} has {len(kept)} points with a computed force nearby, and {len(x)} numbers are "
+                                   f"fitted to them; {len(x) + SPARE} are needed{_others(model, x)}")
 
         def rows(x: Reals, kept: list[int] = kept, labels: list[str | None] = labels) -> tuple[Reals, Reals]:
             found = [model.place(x, number, labels[number]) for number in kept]
@@ -154,8 +154,8 @@ def near(model: Model, x: Reals) -> SweepFit:
         off |= ~used if turn else False
         used &= ~off
         if used.sum() < len(x) + SPARE:
-            raise PeterkaFileError(f"{model.points.path} has {int(used.sum())} points on computed branches, and {len(x)} numbers are fitted to them; "
-                                   f"{len(x) + SPARE} are needed{_others(model, x)}")
+            raise PeterkaFileError(f"{model.points.path} has {int(used.sum())} points on computed branches, and {len(x)} numbers are "
+                                   f"fitted to them; {len(x) + SPARE} are needed{_others(model, x)}")
         kept = np.flatnonzero(used)
         labels = [one.strand.label if one else None for one in places]
 
@@ -176,7 +176,8 @@ def near(model: Model, x: Reals) -> SweepFit:
     scatter = float(np.sqrt(np.sum(left[used]**2) / max(used.sum() - len(x), 1)))
     size = np.maximum(np.sqrt(np.sum(slopes**2, axis=0)), 1e-30)
     covariance = np.linalg.pinv((slopes / size).T @ (slopes / size), rcond=1e-14, hermitian=True) / np.outer(size, size)
-    return SweepFit(model, x, covariance * (1.0 if model.points.has_errors else scatter**2), places, used, left, weight_now, scatter, settled)
+    covariance *= 1.0 if model.points.has_errors else scatter**2
+    return SweepFit(model, x, covariance, places, used, left, weight_now, scatter, settled)
 
 
 def _explained(model: Model, x: Reals) -> tuple[list[Place | None], Reals, Reals, Mask]:

@@ -78,6 +78,8 @@ def _draw_branches(ax: Axes, begun: Landscape, now: Landscape, factor: float) ->
 def _draw_points(ax: Axes, fit: SweepFit, own: Mask, factor: float) -> None:
     points = fit.model.points
     for mask, look in ((own & fit.used, USED), (own & ~fit.used, UNUSED)):
+        if not mask.any():  # matplotlib cannot lay out an empty line
+            continue
         if points.has_errors:
             ax.errorbar(points.hertz[mask], factor * points.force[mask], yerr=factor * points.error[mask], fmt="none", ecolor="black",
                         elinewidth=0.7, zorder=4)

@@ -62,7 +62,7 @@ class _Axis:
 
 
 class _Units:
-    """What the reader of points asks of a file, of a rig instead: a plane of all frequencies [Hz] and gaps [m], or all frequencies alone."""
+    """What the reader of points asks of a file, of a rig instead: a plane of all frequencies [Hz] and gaps [m], or frequencies alone."""
 
     axis_name, gap_name = "frequency_hz", "gap_m"
     columns, rows = _Axis("frequency_hz", (0.0, np.inf)), _Axis("gap_m", (-np.inf, np.inf))
@@ -92,7 +92,7 @@ def read_forces(path: Path, rig: SweptRig) -> MeasuredForces:
     error = np.array([point.errors.get("force", np.nan) for point in points])
     told = int(np.isfinite(error).sum())
     if told not in (0, len(points)):
-        raise PeterkaFileError(f"{path} tells the standard error of {told} of {len(points)} forces; tell it above 0 for all of them, or for none")
+        raise PeterkaFileError(f"{path} tells the standard error of {told} of {len(points)} forces; tell it, above 0, for all or for none")
     gap = np.array([point.gap for point in points], dtype=float) if has_gaps else None
     return MeasuredForces(path, hertz, units.newtons * force, units.newtons * error, gap,
                           [_in_words(point, units.newtons) for point in points], read.left_out)
@@ -104,8 +104,8 @@ def _refuse_strange(path: Path, point: Point, rig: SweptRig, newtons: float) -> 
         raise PeterkaFileError(f"{path} has a point at {point.frequency:.5g} Hz, {ratio:.3g} times the natural frequency of {rig.path}, "
                                f"{rig.natural_hz:.5g} Hz; frequency_hz is in hertz, frequency_ratio is Omega/omega")
     if not cast(float, point.force) > 0:
-        raise PeterkaFileError(f"{path} has a force of {newtons * cast(float, point.force):.4g} N at {point.frequency:.5g} Hz; peak forces are "
-                               "above 0, and a point without an impact has none")
+        raise PeterkaFileError(f"{path} has a force of {newtons * cast(float, point.force):.4g} N at {point.frequency:.5g} Hz; peak forces "
+                               "are above 0, and a point without an impact has none")
 
 
 def _in_words(point: Point, newtons: float) -> str:

@@ -16,8 +16,8 @@ def point_lines(fit: SweepFit) -> list[str]:
     scatter = f"{fit.scatter:.3g} times {off}" if points.has_errors else f"{100 * fit.scatter:.2g} % of {off}"
     left = [f"left out: {reason}" for reason in _left_out(fit)]
     more = [f"and {len(left) - MOST_NAMED} more points are left out"] if len(left) > MOST_NAMED else []
-    return [f"{points.path}: {int(fit.used.sum())} of {len(fit.used)} points are fitted, {counted}; they lie off their branches by {scatter}",
-            *(f"  {line}" for line in [*left[:MOST_NAMED], *more])]
+    return [f"{points.path}: {int(fit.used.sum())} of {len(fit.used)} points are fitted, {counted}; they lie off their branches by "
+            f"{scatter}", *(f"  {line}" for line in [*left[:MOST_NAMED], *more])]
 
 
 def _left_out(fit: SweepFit) -> list[str]:
