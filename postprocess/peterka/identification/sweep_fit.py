@@ -19,7 +19,7 @@ from .sweep_points import MeasuredForces
 from .sweep_rig import Bounds, SweptRig
 
 POINTS = 241  # of a computed branch
-FAR_ROUNDS, NEAR_ROUNDS, EVALUATIONS = 8, 6, 15
+FAR_ROUNDS, FAR_EVALUATIONS, NEAR_ROUNDS, EVALUATIONS = 12, 6, 6, 15
 ROUGH, FINE = 0.1, 5e-3  # relative scatter with which far rounds begin, and least that is believed of robust ones
 REACH, FAR_OFF = 0.04, 3.0  # of the frequency: how far off its end a branch may be; how much that counts, as a change of ln F
 OUTLYING = 5.0  # times the scatter: such a point is on no branch
@@ -135,7 +135,7 @@ def far(model: Model, x: Reals, enough: Callable[[Reals], bool] = _never) -> Rea
             return np.array(left), np.array([-one.slopes if one else np.zeros(len(x)) for one in found])
 
         answer = least_squares(lambda x: rows(x)[0], x, lambda x: rows(x)[1], bounds=(lowest, highest), loss="soft_l1", f_scale=scatter,
-                               x_scale="jac", max_nfev=EVALUATIONS, xtol=FAR_CLOSE, ftol=FAR_CLOSE)
+                               x_scale="jac", max_nfev=FAR_EVALUATIONS, xtol=FAR_CLOSE, ftol=FAR_CLOSE)
         left = np.abs(rows(answer.x)[0])
         scatter = float(np.clip(2 * WITHIN * np.median(left), FINE, scatter))
         moved, x = float(np.max(np.abs(answer.x - x))), answer.x
