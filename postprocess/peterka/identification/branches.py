@@ -26,6 +26,7 @@ BY_FREQUENCY = "frequency_hz"
 LEAST_GAP = 1e-7  # of A0: an elasticity by a gap of 0 doesn't exist, and that much changes no force
 BEFORE, BEYOND = 0.75, 1.3  # of the lowest and highest measured frequency: branches begin outside, as a motor's do
 SMOOTH, LEAST_STEP = 0.5, 2e-3  # of the change that the slopes of both ends tell, and of ln F: a larger difference is a jump
+NARROW = 0.03  # of its frequency: width of a branch within a cascade, say
 STEEP = 0.3  # change of ln F in one step of the grid: steeper, a branch is about to end
 
 
@@ -40,6 +41,11 @@ class Strand:
     log_force: Reals
     slope: Reals
     slopes: Mapping[str, Reals]
+
+    @property
+    def is_narrow(self) -> bool:
+        """Whether errors of the rig may move it by more than its width, so that a point in its place needn't be on it."""
+        return bool(np.ptp(self.hertz) < NARROW * self.hertz[0])
 
     def beyond(self, hertz: float) -> float:
         """How far a frequency lies outside [Hz]; 0 inside."""

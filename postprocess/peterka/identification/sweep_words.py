@@ -29,6 +29,9 @@ def _reason(fit: SweepFit, number: int) -> str:
     points, place = fit.model.points, fit.places[number]
     hertz, landscape = float(points.hertz[number]), fit.model.landscapes(fit.x)[fit.model.which[number]]
     other = landscape.other_at(hertz)
+    narrow = [strand for strand in landscape.strands if strand.is_narrow and strand.beyond(hertz) == 0]
+    if narrow and (place is None or place.beyond > 0):
+        return f"its branch of {narrow[0].label} is {np.ptp(narrow[0].hertz):.2g} Hz wide, and errors of the rig may move it by more"
     if place is None:
         return {"chaos": "its motion is chaos, whose largest force is no smooth function of the rig",
                 "no impact": "no force is computed there, the hammer swings without an impact"}.get(other, "no branch is near")
