@@ -2,17 +2,19 @@
 aren't told are said; words for bad input."""
 
 import tomllib
+from dataclasses import replace
 
 import numpy as np
 import peterka
 import pytest
 from measured_sweep import Rig, sweep
-from peterka.identification import branches
+from peterka.identification import branches, sweep_fit
 from peterka.identification.sweep_rig import USUAL, read_rig
 
 RIG = Rig(mass=1.7, hertz=9.0, ratio=0.02, amplitude=1.1e-3, stiffness=6.0e6, damping=1100.0, gap=0.7e-3)
 BEGUN = Rig(RIG.mass, RIG.hertz, 0.02, RIG.amplitude, 1.25 * RIG.stiffness, 0.8 * RIG.damping, 0.55e-3)
 NOISE = 0.02
+SWEPT = ("--sweep", "points.csv", "--rig-from", "start.toml")
 HERTZ = np.linspace(12.0, 24.0, 20)
 
 
@@ -93,8 +95,48 @@ def test_a_model_that_does_not_fit_says_so(forces, tmp_path, run_program):
     assert "differ from the best fit" in (tmp_path / "points_identified.toml").read_text()
 
 
+def even_in_the_gap(rig, gaps, span, points, keys):
+    """One branch whose forces are the same for gaps of either sign, in place of the program."""
+    hertz, bow = np.linspace(0.8 * span[0], 1.2 * span[1], points), rig.gap / rig.amplitude
+    tilt = (hertz - 15.0) / 15.0
+    log_force = np.log(rig.value("contact.stiffness_n_per_m") / 1e4) + bow**2 * tilt
+    slopes = {"contact.stiffness_n_per_m": np.full(points, 1 / rig.value("contact.stiffness_n_per_m")),
+              "operating_point.gap_m": 2 * bow * tilt / rig.amplitude}
+    strand = branches.Strand("1/1", "up", hertz, log_force, np.full(points, bow**2 / 15.0), slopes)
+    return [branches.Landscape([strand], hertz, [""] * points, np.full((1, points), np.nan))]
+
+
+def test_two_rigs_that_explain_the_points_are_named(tmp_path, run_program, monkeypatch):
+    chance, tilt = np.random.default_rng(8), (HERTZ - 15.0) / 15.0
+    write(tmp_path, [(hertz, 600 * np.exp(0.25 * one) * (1 + 0.01 * chance.standard_normal())) for hertz, one in zip(HERTZ, tilt)])
+    monkeypatch.setattr(sweep_fit, "compute", even_in_the_gap)
+    code, _, wrong = run_program("identify", *SWEPT, "--fit", "ki,gap_mm", "--bounds", "gap_mm=-2:2")
+    assert code == 2 and "doesn't tell two rigs apart" in wrong and "gap 0.5" in wrong and "gap -0.5" in wrong
+    code, told, wrong = run_program("identify", *SWEPT, "--fit", "ki,gap_mm", "--bounds", "gap_mm=0.05:3", "--formats", "png")
+    assert code == 0, wrong
+    assert abs(numbers(tmp_path)["operating_point.gap_m"][0] - 0.55e-3) < 4 * numbers(tmp_path)["operating_point.gap_m"][1]
+
+
+def test_a_number_that_is_hardly_told_has_a_bound(tmp_path, run_program, monkeypatch):
+    chance = np.random.default_rng(9)
+    write(tmp_path, [(hertz, 600 * (1 + 0.2 * chance.standard_normal())) for hertz in HERTZ[:8]])
+
+    def hardly(rig, *others):
+        landscape = even_in_the_gap(rig, *others)[0]
+        strand = landscape.strands[0]
+        slopes = {**strand.slopes, "hammer.damping_ratio": 1e-3 * (strand.hertz - 12)}
+        log_force = strand.log_force + slopes["hammer.damping_ratio"] * rig.value("hammer.damping_ratio")
+        return [replace(landscape, strands=[replace(strand, log_force=log_force, slope=strand.slope + 1e-3 * rig.value("hammer.damping_ratio"),
+                                                    slopes=slopes)])]
+
+    monkeypatch.setattr(sweep_fit, "compute", hardly)
+    code, told, wrong = run_program("identify", *SWEPT, "--fit", "ki,damping_ratio", "--formats", "png")
+    assert code == 0, wrong
+    assert "damping_ratio is hardly told: below" in told and "hammer.damping_ratio" not in numbers(tmp_path)
+    assert "# damping_ratio =" in (tmp_path / "points_rig.toml").read_text()
+
+
 GOOD = [(12.0 + n, 100.0) for n in range(8)]
-SWEPT = ("--sweep", "points.csv", "--rig-from", "start.toml")
 
 
 @pytest.mark.parametrize("options, words", [

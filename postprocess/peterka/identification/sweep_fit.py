@@ -78,7 +78,8 @@ class Model:
         return self._known[name]
 
     def place(self, x: Reals, number: int, label: str | None, shift: float = 0.0) -> Place | None:
-        """The nearest computed motion of a point, of this label, else of any, on no narrow branch; None where none is within reach. `shift` of ln F."""
+        """The nearest computed motion of a point, on no narrow branch, of this label, else of any; None where none is within reach.
+        `shift` of ln F."""
         hertz, wanted = float(self.points.hertz[number]), float(np.log(self.points.force[number])) - shift
         best, least = None, np.inf
         for strand in self.landscapes(x)[self.which[number]].strands:
