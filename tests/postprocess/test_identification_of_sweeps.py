@@ -192,3 +192,25 @@ def test_words_for_bad_rigs(old, new, words, tmp_path, run_program):
     (tmp_path / "start.toml").write_text(text.replace(old, new))
     code, _, wrong = run_program("identify", *SWEPT)
     assert code == 2 and words in wrong
+
+
+def test_a_motion_that_trial_rigs_lack_is_no_wall(tmp_path, run_program, monkeypatch):
+    """Two points are near a branch of 1/2 that ends for rigs a little nearer to the true one: the fit goes on."""
+    chance = np.random.default_rng(4)
+    rows = [(hertz, 600 * (1 + 0.01 * chance.standard_normal())) for hertz in HERTZ]
+    write(tmp_path, [*rows[:-2], *((hertz, 0.5 * force) for hertz, force in rows[-2:])])
+
+    def ending(rig, gaps, span, points, keys):
+        landscape = even_in_the_gap(rig.with_values({"operating_point.gap_m": 0.0}), gaps, span, points, keys)[0]
+        whole = landscape.strands[0]
+        below = whole.hertz < 23.0
+        parts = [replace(whole, label=label, hertz=whole.hertz[mask], log_force=whole.log_force[mask] + np.log(factor), slope=whole.slope[mask],
+                         slopes={key: one[mask] for key, one in whole.slopes.items()})
+                 for mask, label, factor in ((below, "1/1", 1.0), (~below, "1/2", 0.5))]
+        return [replace(landscape, strands=parts if rig.value("contact.stiffness_n_per_m") > 7.4e6 else parts[:1])]
+
+    monkeypatch.setattr(sweep_fit, "compute", ending)
+    code, told, wrong = run_program("identify", *SWEPT, "--fit", "ki", "--formats", "png")
+    assert code == 0, wrong
+    value, error = numbers(tmp_path)["contact.stiffness_n_per_m"]
+    assert abs(value - 6e6) < 4 * error and told.count("left out: ") == 2

@@ -1,8 +1,9 @@
 """Fits gap, stop and damping to measured peak forces over the excitation frequency, by least squares over computed branches.
 
 Each point belongs to the nearest branch; the motion that it is on is chosen anew in each round, and within a round the force is that of
-this motion, of the end of its branch where a trial rig's branch doesn't reach the point. Far rounds have a robust loss over ln F, near ones
-are of the points that a branch explains, with weights from the standard errors or, without these, from the force of the round before.
+this motion, of the end of its branch where a trial rig's branch doesn't reach the point, and what it was where a trial rig has no such
+motion. Far rounds have a robust loss over ln F, near ones are of the points that a branch explains, with weights from the standard errors
+or, without these, from the force of the round before.
 """
 
 from collections.abc import Callable, Sequence
@@ -86,7 +87,7 @@ class Model:
             if strand.is_narrow:
                 continue
             beyond = strand.beyond(hertz)
-            if label not in (None, strand.label) or (label is None and beyond > REACH * hertz):
+            if label not in (None, strand.label) or beyond > REACH * hertz:
                 continue
             off = abs(strand.at(hertz) - wanted) + FAR_OFF * beyond / hertz * (1 if label is None else 100)
             if off < least:
@@ -132,13 +133,15 @@ def far(model: Model, x: Reals, enough: Callable[[Reals], bool] = _never) -> Rea
             raise PeterkaFileError(f"{model.points.path} has {len(kept)} points with a computed force nearby, and {len(x)} numbers are "
                                    f"fitted to them; {len(x) + SPARE} are needed{_others(model, x)}")
 
-        def rows(x: Reals, kept: list[int] = kept, labels: list[str | None] = labels) -> tuple[Reals, Reals]:
+        def rows(x: Reals, kept: list[int] = kept, labels: list[str | None] = labels, begun: Reals = np.zeros(len(kept))
+                 ) -> tuple[Reals, Reals]:
             found = [model.place(x, number, labels[number]) for number in kept]
-            left = [np.log(model.points.force[number]) - one.log_force if one else 1.0 for number, one in zip(kept, found)]
+            left = [np.log(model.points.force[number]) - one.log_force if one else same for number, one, same in zip(kept, found, begun)]
             return np.array(left), np.array([-one.slopes if one else np.zeros(len(x)) for one in found])
 
-        answer = least_squares(lambda x: rows(x)[0], x, lambda x: rows(x)[1], bounds=(lowest, highest), loss="soft_l1", f_scale=scatter,
-                               x_scale="jac", max_nfev=FAR_EVALUATIONS, xtol=FAR_CLOSE, ftol=FAR_CLOSE)
+        begun = rows(x)[0]  # of a point whose motion doesn't exist on a trial rig: neither for nor against it
+        answer = least_squares(lambda x: rows(x, begun=begun)[0], x, lambda x: rows(x)[1], bounds=(lowest, highest), loss="soft_l1",
+                               f_scale=scatter, x_scale="jac", max_nfev=FAR_EVALUATIONS, xtol=FAR_CLOSE, ftol=FAR_CLOSE)
         left = np.abs(rows(answer.x)[0])
         scatter = float(np.clip(2 * WITHIN * np.median(left), FINE, scatter))
         moved, x = float(np.max(np.abs(answer.x - x))), answer.x
@@ -161,10 +164,12 @@ def near(model: Model, x: Reals) -> SweepFit:
                                    f"fitted to them; {len(x) + SPARE} are needed{_others(model, x)}")
         kept = np.flatnonzero(used)
         labels = [one.strand.label if one else None for one in places]
+        begun = np.array([np.exp(one.log_force) if one else 0.0 for one in places])
 
-        def rows(x: Reals, kept: Integers = kept, labels: list[str | None] = labels, weight: Reals = weight) -> tuple[Reals, Reals]:
+        def rows(x: Reals, kept: Integers = kept, labels: list[str | None] = labels, weight: Reals = weight, begun: Reals = begun
+                 ) -> tuple[Reals, Reals]:
             found = [model.place(x, number, labels[number]) for number in kept]
-            force = np.array([np.exp(one.log_force) if one else 0.0 for one in found])
+            force = np.array([np.exp(one.log_force) if one else same for one, same in zip(found, begun[kept])])
             slopes = np.array([one.slopes if one else np.zeros(len(x)) for one in found])
             return (measured[kept] - force) / weight[kept], -(force / weight[kept])[:, None] * slopes
 
