@@ -26,7 +26,7 @@ BY_FREQUENCY = "frequency_hz"
 LEAST_GAP = 1e-7  # of A0: an elasticity by a gap of 0 doesn't exist, and that much changes no force
 BEFORE, BEYOND = 0.75, 1.3  # of the lowest and highest measured frequency: branches begin outside, as a motor's do
 SMOOTH, LEAST_STEP = 0.5, 2e-3  # of the change that the slopes of both ends tell, and of ln F: a larger difference is a jump
-NARROW = 0.03  # of its frequency: width of a branch within a cascade, say
+NARROW = 0.05  # of its frequency: width of a branch within a cascade, say
 STEEP = 0.3  # change of ln F in one step of the grid: steeper, a branch is about to end
 
 
