@@ -67,6 +67,12 @@ def run(job: str | os.PathLike[str] | Mapping[str, Any], ranks: int = 2, *, outp
         return data if output is not None else data.load()
 
 
+def compute(job: Mapping[str, Any], output: Path) -> None:
+    """Computes a job, given by its tables, into a file that isn't opened. Raises as run() does."""
+    with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
+        _call(["run", _argument(_written(job, Path(folder))), "--output", _argument(output), "--quiet"], 1)
+
+
 def check(job: str | os.PathLike[str] | Mapping[str, Any], **changes: Any) -> str:
     """The meaning and cost of a job, as printed by the program's `check`. Raises JobError with all faults of the
     job, other PeterkaErrors if the program fails or is missing."""

@@ -5,6 +5,7 @@
     identify.py TABLE.csv --mass-kg KG                          measured restitutions and contact times
     identify.py --restitution E [ERROR] --contact-time-ms T [ERROR] --mass-kg KG
     identify.py --speeds-m-s BEFORE AFTER --contact-time-ms T [ERROR] --mass-kg KG
+    identify.py --sweep POINTS.csv --rig-from RIG.toml          measured peak forces over the excitation frequency
 
 Recordings are tables as loggers write them, .mat (up to version 7.2) or WAV files. They have a time and one or more of force,
 acceleration and displacement. Columns are named time_s, time_ms, force_n, force_kn, acceleration_m_s2, acceleration_g,
@@ -19,6 +20,13 @@ standard errors and correlations, draws each recording with what was fitted (STE
 (STEM_rig.toml) and the numbers with their covariance (STEM_identified.toml). What is known already, --gap-mm,
 --natural-frequency-hz and --damping-ratio, is taken as given and refused where the recording says otherwise; --amplitude-mm, of
 the cart, goes into the rig file.
+--sweep fits to peak forces, in the columns of draw.py --measured: frequency_hz, force_n, gap_mm, force_error_n and others. --rig-from, a
+rig file or a job, has mass, springs, cart and stop (kelvin_voigt), and the gap unless points have gap_mm or --gap-mm tells it: where the
+fit begins. --fit ki,ci,damping_ratio,gap_mm, the default but for what an option above tells, names what is fitted; with --fit these
+options say where it begins, too. frequency_hz is the hammer's natural frequency. --bounds ki=1e6:9e6 gap_mm=0:1 keep the fit inside.
+Forces are those of branches that the program computes, up and down; points on none of them, and of chaos, are told and left out. A gap that
+is fitted to points of several gaps is a common error of all of them, told for the smallest. Without force_error_n errors are in proportion
+to the force, and estimated.
 Exit codes: 0 done; 2 a file cannot be read or doesn't tell, or bad arguments; 3 a picture or the rig cannot be written.
 """
 
@@ -44,6 +52,7 @@ from ..identification.words import recording_lines, result_lines
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
+from .identify_sweep import add_sweep_arguments, check_sweep_arguments, identify_sweep
 
 
 def main() -> int:
@@ -53,6 +62,8 @@ def main() -> int:
 
 def _identify() -> int:
     arguments = read_arguments()
+    if arguments.sweep is not None:
+        return identify_sweep(arguments)
     try:
         found, drawn = identify(arguments)
     except PeterkaFileError as refusal:
@@ -134,7 +145,7 @@ def read_arguments() -> argparse.Namespace:
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.csv", nargs="*", type=Path)
     parser.add_argument("--driven", metavar="FILE.csv", nargs="+", type=Path, default=[])
-    parser.add_argument("--mass-kg", type=positive, required=True)
+    parser.add_argument("--mass-kg", type=positive)
     parser.add_argument("--gap-mm", type=not_negative, help="between hammer at rest and stop; fitted where it isn't given")
     parser.add_argument("--from", dest="begin", metavar="S", type=finite)
     parser.add_argument("--to", dest="end", metavar="S", type=finite)
@@ -149,8 +160,10 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--damping-ratio", metavar="ZETA", type=not_negative)
     parser.add_argument("--amplitude-mm", metavar="MM", type=positive)
     parser.add_argument("--rig", metavar="RIG.toml", type=Path, help="default: STEM_rig.toml of the first file")
+    add_sweep_arguments(parser)
     parser.add_picture_arguments()
     arguments = parser.parse_args()
+    check_sweep_arguments(parser, arguments)
     arguments.layout = Layout(arguments.columns, quantities(parser, arguments.scale), quantities(parser, arguments.sensitivity),
                               arguments.rate_hz)
     stems = [path.stem for path in (*arguments.files, *arguments.driven)]
@@ -162,7 +175,7 @@ def read_arguments() -> argparse.Namespace:
     single = (arguments.restitution is not None) + (arguments.speeds_m_s is not None)
     if single > 1 or bool(single) != bool(arguments.contact_time_ms):
         parser.error("one impact is --contact-time-ms with either --restitution or --speeds-m-s")
-    if not stems and not single:
+    if not stems and not single and arguments.sweep is None:
         parser.error("nothing was measured: give a recording, a table, or --restitution and --contact-time-ms")
     return arguments
 

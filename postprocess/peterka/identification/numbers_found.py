@@ -58,10 +58,11 @@ class Identified:
     def impact(self) -> tuple[Number, Number]:
         """(restitution, contact time [s]) of one impact of a free mass on this stop."""
         both = [self.number(STIFFNESS), self.number(DAMPING)]
-        names, stop = list(self.values), [key for key in (STIFFNESS, DAMPING) if key in self.values]
-        places = [names.index(key) for key in stop]
-        restitution, contact_s = propagated(lambda k, c: pulse(self.mass, k, c), [number.value for number in both if number],
-                                            self.covariance[np.ix_(places, places)])
+        names, matrix = list(self.values), np.zeros((2, 2))  # 0 where a number was given
+        fitted = [at for at, key in enumerate((STIFFNESS, DAMPING)) if key in names]
+        places = [names.index((STIFFNESS, DAMPING)[at]) for at in fitted]
+        matrix[np.ix_(fitted, fitted)] = self.covariance[np.ix_(places, places)]
+        restitution, contact_s = propagated(lambda k, c: pulse(self.mass, k, c), [number.value for number in both if number], matrix)
         return restitution, contact_s
 
 

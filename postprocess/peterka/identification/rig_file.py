@@ -1,6 +1,7 @@
 """The identified rig as a TOML file that jobs include by rig = "...": hammer, contact, and the cart if known."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -12,8 +13,10 @@ from .words import number_text
 KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error is not significant
 
 
-def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | None = None) -> str:
-    """The file's text for an Identified; `sources`: names of the files it was identified from."""
+def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | None = None,
+             kept: Mapping[str, Mapping[str, Any]] | None = None) -> str:
+    """The file's text for an Identified; `sources`: names of the files it was identified from; `kept`
+    {table: {key: value}}: what else a rig has, such as a cubic spring."""
     lines = ["# Found by identify.py from " + harmless(", ".join(sources), 400) + ", with standard errors.", "", "[hammer]",
              f"mass_kg = {float(found.mass)!r}"]
     frequency, ratio, gap = (found.number(key) for key in (FREQUENCY, DAMPING_RATIO, GAP))
@@ -24,11 +27,15 @@ def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | Non
     else:
         better = f" better than {number_text(ratio)}" if ratio else " it"
         lines += [f"# damping_ratio =               what was measured doesn't tell{better}: give it here"]
+    written = {"mass_kg", "natural_frequency_hz", "damping_ratio", "law", "amplitude_m", "stiffness_n_per_m", "damping_ns_per_m"}
+    others = {table: [f"{key} = {_text(value)}" for key, value in (kept or {}).get(table, {}).items() if key not in written]
+              for table in ("hammer", "cart", "contact")}
+    lines += others["hammer"]
     stiffness, damping = found.number(STIFFNESS), found.number(DAMPING)
     assert stiffness is not None and damping is not None  # of any recording with an impact
-    lines += ["", *(["[cart]", f"amplitude_m = {float(amplitude_m)!r}", ""] if amplitude_m else []), "[contact]",
+    lines += ["", *(["[cart]", f"amplitude_m = {float(amplitude_m)!r}", *others["cart"], ""] if amplitude_m else []), "[contact]",
               'law = "kelvin_voigt"', _line("stiffness_n_per_m", stiffness, "N/m"),
-              _line("damping_ns_per_m", damping, "Ns/m")]
+              _line("damping_ns_per_m", damping, "Ns/m"), *others["contact"]]
     if gap and gap.error is not None:
         lines += ["", f"# The gap was {number_text(Number(1e3 * gap.value, 1e3 * gap.error))} mm."]
     return "\n".join(lines) + "\n"
@@ -46,6 +53,10 @@ def identified_text(found: Identified, sources: Iterable[str]) -> str:
 def told(number: Number) -> bool:
     """Whether a number is known: given, or with an error small enough to be significant."""
     return number.error is None or number.error < 0.5 * abs(number.value) or 0 < number.error < 1e-4
+
+
+def _text(value: Any) -> str:
+    return text_of({"value": value}).removeprefix("value = ").strip()
 
 
 def _line(key: str, number: Number, unit: str) -> str:

@@ -1,0 +1,158 @@
+"""Whether branches explain measured points: residuals against standard errors or the scatter of neighbours, other rigs that explain them
+as well, and numbers that they hardly tell."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from scipy.stats import chi2
+
+from ..arrays import Reals
+from ..errors import PeterkaFileError
+from .numbers_found import DAMPING, GAP, STIFFNESS, Identified, Number
+from .sweep_fit import OUTLYING, Model, SweepFit, far, near, with_covariance
+from .twins import OUTSIDE, RULED_OUT
+from .words import number_text
+
+CHANCE, ONE_SIDED = 1e-3, 1.645  # significance of a misfit; standard errors below which 95 % lie
+ALIKE, MOST_ALIKE = 3.1, 0.9  # standard deviations of a correlation of neighbours; largest that errors allow for
+FEWEST = 8  # pairs of neighbours
+ILL = 1e4  # condition number of the normalised derivatives
+WEAK = 0.5  # relative standard error
+OTHER_DAMPING, OTHER_GAP = 2.5, 0.4  # factor, and part of the way to a bound: from where other rigs are looked for
+SHORT_NAMES = {STIFFNESS: "ki", DAMPING: "ci", GAP: "gap"}
+
+
+def fitted(model: Model) -> SweepFit:
+    """The likeliest SweepFit. Raises PeterkaFileError where quite another rig explains the points about as well."""
+    first = far(model, model.x_of(lambda one: one.start))
+    found = [near(model, first)]
+    for other in _elsewhere(model):
+        try:
+            x = far(model, other, lambda x: not all(_apart(fit, x) for fit in found))
+            if all(_apart(fit, x) for fit in found):
+                found.append(near(model, x))
+        except PeterkaFileError:
+            continue  # no branches there
+    scatter = 1.0 if model.points.has_errors else min(fit.scatter for fit in found)
+    costs = [_cost(fit, scatter) for fit in found]
+    best = found[int(np.argmin(costs))]
+    for fit, cost in zip(found, costs):
+        likelihood = float(np.exp(-0.5 * (cost - min(costs))))
+        if fit is not best and likelihood > RULED_OUT and _apart(best, fit.x):
+            both = f"{_rig_words(best)}, and {_rig_words(fit)}"
+            raise PeterkaFileError(f"{model.points.path} doesn't tell two rigs apart: {both}, whose likelihood is {likelihood:.2g} of the "
+                                   f"first one's and would have to be below {RULED_OUT:g}. Measure more frequencies, another gap, "
+                                   "or restitution and contact time; --bounds leave one of them out")
+    return best
+
+
+def _elsewhere(model: Model) -> Iterator[Reals]:
+    """Parameters from where another rig may be found."""
+    start, lowest, highest = (model.x_of(side) for side in (lambda one: one.start, lambda one: one.lowest, lambda one: one.highest))
+    for sign in (1, -1):
+        x = start.copy()
+        if DAMPING in model.keys:
+            x[model.keys.index(DAMPING)] += sign * np.log(OTHER_DAMPING)
+        if GAP in model.keys:
+            at = model.keys.index(GAP)
+            x[at] += OTHER_GAP * ((highest if sign > 0 else lowest)[at] - x[at])
+        x = np.clip(x, lowest, highest)
+        if np.any(x != start):
+            yield x
+
+
+def _apart(fit: SweepFit, x: Reals) -> bool:
+    size = np.sqrt(np.maximum(np.diag(fit.covariance), 1e-12))
+    return bool(np.any(np.abs(x - fit.x) > OUTSIDE * np.maximum(size, 0.01)))
+
+
+def _cost(fit: SweepFit, scatter: float) -> float:
+    """-2 ln of the likelihood of all points, but for a constant; one that no branch explains counts as far off as an outlier."""
+    return float(np.sum(np.minimum(np.nan_to_num(fit.left / scatter, nan=OUTLYING)**2, OUTLYING**2)))
+
+
+def _rig_words(fit: SweepFit) -> str:
+    values = fit.model.values(fit.x)
+    told = [f"{SHORT_NAMES.get(key, key.split('.')[1])} {1e3 * value:.4g} mm" if key == GAP else
+            f"{SHORT_NAMES.get(key, key.split('.')[1])} {value:.4g}" for key, value in values.items()]
+    return "one with " + ", ".join(told)
+
+
+def judged(fit: SweepFit) -> tuple[SweepFit, list[str]]:
+    """(the fit with errors that allow for what it leaves, sentences on that)."""
+    told, factor = [], 1.0
+    if fit.model.points.has_errors:
+        square = float(np.sum(fit.left[fit.used]**2))
+        if fit.freedom > 0 and chi2.sf(square, fit.freedom) < CHANCE:
+            factor = square / fit.freedom
+            told.append(f"the points differ from the best fit by more than their standard errors: chi-square {square:.4g} where "
+                        f"{fit.freedom} is expected; errors are {np.sqrt(factor):.2g} times those that the points' own would give")
+    alike, pairs = likeness(fit)
+    if pairs >= FEWEST and alike * np.sqrt(pairs) > ALIKE:
+        told.append(f"the points differ from the best fit by {1 / np.sqrt(max(1 - alike, 0.01)):.2g} times their scatter from neighbour to "
+                    f"neighbour: the model doesn't explain them, and its numbers are off by more than noise; errors allow for the "
+                    "correlation of neighbours alone")
+        most = min(alike, MOST_ALIKE)
+        factor *= (1 + most) / (1 - most)
+    if not fit.settled:
+        told.append("the fit didn't settle: which points are on which branch still changes; a start that is nearer may help")
+    return with_covariance(fit, factor), told
+
+
+def likeness(fit: SweepFit) -> tuple[float, int]:
+    """(correlation of the residuals of neighbours on one branch, 1 - half the ratio of von Neumann (1941), their pairs)."""
+    hertz, which = fit.model.points.hertz, fit.model.which
+    numbers = [int(number) for number in np.flatnonzero(fit.used)]
+    labels = {number: place.strand.label for number in numbers if (place := fit.places[number]) is not None}
+    numbers.sort(key=lambda number: (which[number], labels[number], hertz[number]))
+    steps = [fit.left[after] - fit.left[before] for before, after in zip(numbers, numbers[1:])
+             if which[before] == which[after] and labels[before] == labels[after]]
+    square = float(np.mean(fit.left[numbers]**2))
+    return (1 - float(np.mean(np.square(steps))) / (2 * square) if steps and square > 0 else 0.0), len(steps)
+
+
+def hardly_told(fit: SweepFit, found: Identified) -> list[str]:
+    """Sentences on numbers that the points don't tell, and on those that ended at a bound."""
+    told = []
+    errors = np.sqrt(np.maximum(np.diag(fit.covariance), 0))
+    for at, (key, bounds) in enumerate(fit.model.bounds.items()):
+        value = found.values[key]
+        number = found.number(key)
+        assert number is not None and number.error is not None
+        name, factor, unit = SHORT_NAMES.get(key, key.split(".")[1]), *((1e3, " mm") if key == GAP else (1.0, ""))
+        if key != GAP and number.error > WEAK * value or key == GAP and number.error > WEAK * fit.model.rig.amplitude:
+            alone = _without(fit, at)
+            others = ", ".join(f"{SHORT_NAMES[other]} to {100 * one:.2g} % instead of {100 * error:.2g} %"
+                               for other, one, error in zip(fit.model.keys, alone, errors)
+                               if other in (STIFFNESS, DAMPING) and other != key)
+            told.append(f"{name} is hardly told: below {number_text(Number(factor * (value + ONE_SIDED * number.error)))}{unit} (95 %). "
+                        f"Were it known, the points would tell {others or 'the others better'}")
+        elif any(abs(value - edge) <= 1e-3 * (bounds.highest - bounds.lowest) for edge in (bounds.lowest, bounds.highest)):
+            told.append(f"{name} ended at a bound, {factor * value:.4g}{unit}: errors of the others hold for it there; wider --bounds may "
+                        "fit better")
+    condition = _condition(fit.covariance)
+    if condition > ILL:
+        told.append(f"the points tell combinations of the numbers and hardly each of them (condition number {condition:.2g})")
+    return told
+
+
+def _without(fit: SweepFit, at: int) -> Reals:
+    """Standard errors of the parameters where one is known."""
+    matrix = fit.covariance
+    left = np.diag(matrix) - matrix[at]**2 / max(matrix[at, at], 1e-300)
+    errors: Reals = np.sqrt(np.maximum(left, 0))
+    return errors
+
+
+def _condition(covariance: Reals) -> float:
+    size = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    return float(np.linalg.cond(covariance / np.outer(size, size)))
+
+
+def identified_from_sweep(fit: SweepFit) -> Identified:
+    """The numbers of a fit with their covariance in SI, and those that were given."""
+    model, scales = fit.model, fit.model.scales(fit.x)
+    values = model.values(fit.x)
+    given = {key: value for key in ("contact.stiffness_n_per_m", "contact.damping_ns_per_m", "hammer.natural_frequency_hz",
+                                    "hammer.damping_ratio", GAP) if key not in values and (value := model.rig.value(key)) is not None}
+    return Identified(model.rig.mass, values, fit.covariance * np.outer(scales, scales), given)
