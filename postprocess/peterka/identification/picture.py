@@ -48,12 +48,12 @@ def draw(fit: Fit, title: str) -> Figure:
                 _plain(ax)
             if column == 0:
                 upper.set_ylabel(f"{NAMES[name][0]} ({unit})")
-                lower.set_ylabel(f"left ({unit})")
+                lower.set_ylabel(f"residual ({unit})")
     grid[-1, 0].set_xlabel("time (s)")
     grid[-1, 1].set_xlabel(f"time from {zoom[0]:.6g} s (ms)")
     figure.align_ylabels(grid[:, 0])
     handles = [Line2D([], [], label="recorded", **RECORDED | {"markersize": 3}), Line2D([], [], label="fitted", **FITTED),
-               Line2D([], [], label="left (recorded less fitted)", **LEFT | {"markersize": 3})]
+               Line2D([], [], label="residual (recorded less fitted)", **LEFT | {"markersize": 3})]
     below = figure.add_subplot(layout[-1, :])
     below.axis("off")
     below.legend(handles=handles, ncol=3, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False)

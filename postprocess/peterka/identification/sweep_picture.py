@@ -60,7 +60,7 @@ def draw(fit: SweepFit, start: Reals, title: str) -> Figure:
             if number:
                 ax.tick_params(labelleft=False)
     first[0].set_ylabel(f"peak force ({unit})")
-    first[1].set_ylabel("left (s.e.)" if points.has_errors else "left (%)")
+    first[1].set_ylabel("residual (s.e.)" if points.has_errors else "residual (%)")
     figure.align_ylabels(first)
     _legend(figure.add_subplot(layout[2, :]), fit, now)
     axes.write_title(figure, _Titled(title))
