@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "split_orbits.hpp"
 #include "trajectory/exact_cycle_map.hpp"
@@ -77,6 +79,40 @@ TEST(SplitCycleMap, IsSecondOrderInTheStep) {
             }
         }
     }
+}
+
+// What an observer is shown a quarter into each stretch.
+class Quarters : public Observer<double> {
+  public:
+    void stretch(Phase, double from, double length, const StateAt& state_at) override {
+        seen.emplace_back(from + length / 4, state_at(length / 4));
+    }
+    void touch(double) override {}
+    void leave(const ImpactRecord<double>&) override {}
+    std::vector<std::pair<double, State<double>>> seen;  // tau, state
+};
+
+// Largest error of the velocity that is shown in a cycle of so many steps.
+double error_shown(const Oscillator<double>& oscillator, const State<double>& x, int steps) {
+    Quarters quarters;
+    Recorder<double> recorder(Detail::contacts, quarters);
+    const auto cycle = SplitCycleMap<double>(oscillator, steps)(x, &recorder);
+    EXPECT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
+    EXPECT_EQ(std::ssize(quarters.seen), steps);
+    const SplitCycleMap<double> fine(oscillator, 20'000);
+    double largest = 0;
+    for (const auto& [tau, state] : quarters.seen)
+        largest = std::max(largest, std::abs(state[1] - fine.part(x, 0, tau).end[1]));
+    return largest;
+}
+
+// Also between kicks, of which half is there too early, or is missing.
+TEST(SplitCycleMap, WhatAnObserverSeesIsOfSecondOrderInTheStep) {
+    const auto oscillator = cubic_rig({1.7, 60}, 2e-5, CubicForm::relative);
+    const State<double> x(-65, 3);
+    const double error = error_shown(oscillator, x, 80);
+    EXPECT_LT(error, 0.02);
+    EXPECT_NEAR(error / error_shown(oscillator, x, 160), 4, 0.4);
 }
 
 TEST(SplitCycleMap, CyclesAgreeWithTaylorIntegrationFromRandomStarts) {
