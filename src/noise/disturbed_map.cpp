@@ -50,11 +50,13 @@ DisturbedMap::Cart DisturbedMap::cart_of(const Deviations& deviations) const {
     const double scale = 1 + deviations.amplitude;
     scene::Oscillator<double> oscillator = rescaled(oscillator_, scale);
     oscillator.frequency *= 1 + deviations.frequency;
+    regime::EngineSettings settings = settings_;
+    settings.largest_displacement /= scale;
     return {.deviations = deviations,
             .scale = scale,
             .speed = scale * oscillator.frequency,
             .period = oscillator.period(),
-            .map = regime::make_cycle_map(oscillator, settings_)};
+            .map = regime::make_cycle_map(oscillator, settings)};
 }
 
 DisturbedMap::Cart& DisturbedMap::use(const Deviations& deviations) {

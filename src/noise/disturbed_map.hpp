@@ -61,6 +61,7 @@ class DisturbedMap {
     [[nodiscard]] std::optional<scene::State<double>> deviating(const scene::State<double>& start,
                                                                 const Deviations& cart);
 
+    [[nodiscard]] bool has_rigid_stop() const { return scene::is_rigid(oscillator_.contact); }
     [[nodiscard]] int changes_per_cycle() const { return changes_; }
     // How often at_next_phase_0 was asked.
     [[nodiscard]] std::int64_t quiet_cycles() const { return quiet_cycles_; }

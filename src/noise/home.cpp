@@ -53,13 +53,16 @@ Matrix stationary(const Matrix& flow, const Matrix& added) {
     return (Matrix() << solved[0], across, across, solved[3]).finished();
 }
 
-// Disturbances may leave a direction out, as where a rigid stop holds the hammer for a while: a state counts as
-// away there once it is off by more than rounding.
-Matrix inverse(Matrix covariance) {
-    const double floor = 1e-12 * covariance.trace() + 1e-24;
+constexpr double is_there = 1e-7;  // relative; about what integrators miss a point by
+
+// Disturbances may leave a direction out, as where a rigid stop holds the hammer for a while, or be weaker than
+// rounding: a state counts as away once it is off by more than an engine's errors.
+Matrix with_errors(Matrix covariance, const State& point) {
+    const double error = is_there * (1 + point.norm());
+    const double floor = 1e-12 * covariance.trace() + error * error;
     covariance(0, 0) += floor;
     covariance(1, 1) += floor;
-    return covariance.inverse();
+    return covariance;
 }
 
 // The cycles of a closed motion, from one of its points on.
@@ -120,7 +123,8 @@ std::optional<Home> Home::of(DisturbedMap& map, const State& at_phase_0, int per
     Matrix covariance = stationary(round->flow, round->added);
     for (std::size_t i = 0; i < round->cycles.size(); ++i) {
         if (!covariance.allFinite()) return std::nullopt;
-        home.points_.push_back({round->starts[i], covariance, inverse(covariance)});
+        const Matrix precision = with_errors(covariance, round->starts[i]).inverse();
+        home.points_.push_back({round->starts[i], covariance, precision});
         home.spread_ = std::max(home.spread_, std::sqrt(covariance.trace()));
         const Linear& cycle = round->cycles[i];
         covariance = cycle.jacobian * covariance * cycle.jacobian.transpose() + cycle.covariance;
@@ -141,15 +145,19 @@ double Home::find_radius(DisturbedMap& map) {
     return radius;
 }
 
-// From states at this distance all around each point.
+// From states at this distance all around some of the points, outside of a rigid stop.
 bool Home::takes_back_from(DisturbedMap& map, double distance) const {
     constexpr int directions = 8;
-    for (const Point& point : points_) {
-        const Matrix root = point.covariance.llt().matrixL();
+    constexpr std::size_t most_points = 8;
+    const std::size_t apart = (points_.size() + most_points - 1) / most_points;
+    for (std::size_t i = 0; i < points_.size(); i += apart) {
+        const Point& point = points_[i];
+        const Matrix root = with_errors(point.covariance, point.state).llt().matrixL();
         for (int n = 0; n < directions; ++n) {
             const double angle = 2 * std::numbers::pi * n / directions;
-            const State off = distance * root * State(std::cos(angle), std::sin(angle));
-            if (!takes_back(map, point.state + off).value_or(false)) return false;
+            State state = point.state + distance * root * State(std::cos(angle), std::sin(angle));
+            if (map.has_rigid_stop()) state[0] = std::min(state[0], 0.0);
+            if (!takes_back(map, state).value_or(false)) return false;
         }
     }
     return true;
@@ -168,7 +176,6 @@ double Home::distance(const State& state) const {
 bool Home::is_very_near(const State& state) const {
     constexpr double of_radius = 0.025;
     constexpr double converges = 1e-3;  // relative
-    constexpr double is_there = 1e-7;   // about what integrators miss it by
     double off = std::numeric_limits<double>::infinity();
     for (const Point& point : points_)
         off = std::min(off, (state - point.state).norm() / (1 + point.state.norm()));

@@ -17,7 +17,7 @@ class Home {
   public:
     // The motion of period q next to a state at forcing phase 0, by Newton's method. Nothing where the engine
     // doesn't return to about that state after q cycles, or where the linearized motion isn't stable or takes
-    // more cycles than that to relax: what home takes back is found in 250 times as many, roughly.
+    // more cycles than that to relax: what home takes back is found in 250 times as many, or more.
     [[nodiscard]] static std::optional<Home> of(DisturbedMap& map, const scene::State<double>& at_phase_0,
                                                 int period,
                                                 double most_to_relax = std::numeric_limits<double>::infinity());

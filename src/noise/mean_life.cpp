@@ -20,13 +20,14 @@ constexpr double times_to_relax = 3;  // that it is away before, if that is long
 constexpr double strong = 0.25;  // with a smaller radius of home it is asked at once: it may be home by chance
 constexpr std::int64_t enough_lives = 100;
 constexpr std::int64_t trials_for_levels = 256;
-constexpr std::int64_t reach_next = trials_for_levels / 4;         // that should get from a level to the next
-constexpr std::int64_t leaves_often = 3 * trials_for_levels / 10;  // so many that leave need no further level
+constexpr std::int64_t reach_next = trials_for_levels / 4;  // that should get from a level to the next
 constexpr int changes_between_looks = 4;
 constexpr std::int64_t estimates = 8;
+constexpr std::int64_t asking = 16;  // times the budget of cycles that lives are followed for may go into it
+constexpr double too_strong = 1e-5;  // with a smaller radius of home nothing is told
 constexpr std::int64_t quiet_as_disturbed = 4;  // cycles without changes that take as long as a disturbed one
 constexpr std::int64_t fewest_trials = 32;
-constexpr std::int64_t most_trials = 1'000'000;
+constexpr std::int64_t most_trials = 100'000;
 constexpr std::size_t most_departures = 100'000;  // kept to begin trials from
 constexpr double rarest = 1e-15;                  // per cycle
 constexpr double of_none = 3;  // of which none is seen, the mean number is less with 95 % probability
@@ -100,8 +101,8 @@ class Walk {
     [[nodiscard]] bool is_known_to_return(const Walker& walker) const {
         return !walker.left && walker.ask - walker.away == patience_;
     }
-    // Of the states at phase 0 since it was known to return, of which the last would not, the number of those
-    // from which it would have returned: by bisection, as if it left once.
+    // Of the states at phase 0 since it was known to return, of which the last would not return, the number of
+    // those from which it would have returned: by bisection, as if it left once.
     [[nodiscard]] std::int64_t returning(std::span<const scene::State<double>> away) {
         const auto returns = [&](const scene::State<double>& state) {
             return home_.takes_back(map_, state).value_or(false);
@@ -136,12 +137,13 @@ struct Followed {
     [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
 };
 
-Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
+// walker: the motion that is followed first, and the one that was followed last. Ends after so many disturbed
+// cycles: a rule by all that is computed would end just where lives do, since then most is asked.
+Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t most_lives) {
     Followed followed;
-    Walker walker = walk.begin();
     std::vector<scene::State<double>> away;
-    const std::int64_t end = walk.cycles() + budget;
-    while (walk.cycles() < end && followed.lives < most_lives) {
+    const std::int64_t end = walk.cycles() + asking * budget;
+    for (std::int64_t n = 0; n < budget && walk.cycles() < end && followed.lives < most_lives; ++n) {
         const Now now = walk.cycle(walker);
         ++followed.cycles;
         if (walk.is_known_to_return(walker)) {
@@ -154,7 +156,8 @@ Followed follow(Walk& walk, std::int64_t budget, std::int64_t most_lives) {
             if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
         }
         if (now != Now::left && now != Now::failed) continue;
-        followed.cycles -= std::ssize(away) - 1 - walk.returning(away);  // it left in the cycle after those
+        if (now == Now::left)  // it left in the cycle after those
+            followed.cycles -= std::ssize(away) - 1 - walk.returning(away);
         ++(now == Now::left ? followed.lives : followed.failed);
         walker = walk.begin();
         away.clear();
@@ -175,10 +178,11 @@ struct Trial {
     std::vector<std::pair<double, Walker>> records;
     bool left = false;
     bool failed = false;
+    bool stopped = false;  // as the budget ended
 };
 
-// Until it is home again, has left, or has come as far as `target`.
-Trial run_trial(Walk& walk, Walker walker, double target) {
+// Until it is home again, has left, has come as far as `target`, or until the walk has computed `end` cycles.
+Trial run_trial(Walk& walk, Walker walker, double target, std::int64_t end) {
     Trial trial;
     if (walker.left) {
         trial.left = true;
@@ -186,6 +190,8 @@ Trial run_trial(Walk& walk, Walker walker, double target) {
     }
     double furthest = not_looked;
     for (;;) {
+        trial.stopped = walk.cycles() >= end;
+        if (trial.stopped) return trial;
         const double distance = walk.distance(walker);
         trial.failed = std::isnan(distance);
         if (distance > furthest) {
@@ -228,18 +234,17 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
         std::vector<double> furthest;
         const std::int64_t before = walk.cycles();
         for (std::int64_t n = 0; n < trials_for_levels; ++n) {
-            if (walk.cycles() >= end) return levels;
-            trials.push_back(run_trial(walk, from[walk.one_of(from.size())], infinitely_far));
+            trials.push_back(run_trial(walk, from[walk.one_of(from.size())], infinitely_far, end));
             const Trial& trial = trials.back();
+            if (trial.stopped) return levels;
             if (trial.failed) return std::nullopt;
             furthest.push_back(trial.left ? infinitely_far : trial.records.back().first);
         }
         levels.trial_cycles.push_back(static_cast<double>(walk.cycles() - before) /
                                       static_cast<double>(trials_for_levels));
-        const auto leave = std::ranges::count(furthest, infinitely_far);
         std::ranges::sort(furthest);
         const double next = furthest[static_cast<std::size_t>(trials_for_levels - reach_next)];
-        levels.leads_away = leave >= leaves_often || next == infinitely_far;
+        levels.leads_away = next == infinitely_far;
         const bool is_rarest = levels.probability * departures_per_cycle < rarest;
         if (levels.leads_away || is_rarest || !(next > last)) return levels;
         from.clear();
@@ -252,9 +257,12 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
     }
 }
 
-// Lives that end per cycle; nothing where trials fail.
-std::optional<double> rate_of(Walk& walk, const Levels& levels, std::int64_t budget, std::int64_t trials) {
-    const Followed base = follow(walk, budget, std::numeric_limits<std::int64_t>::max());
+// Lives that end per cycle, NaN where trials go far beyond the budget; nothing where they fail. walker: as for
+// `follow`.
+std::optional<double> rate_of(Walk& walk, Walker& walker, const Levels& levels, std::int64_t budget,
+                              std::int64_t trials) {
+    const std::int64_t end = walk.cycles() + asking * budget;
+    const Followed base = follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max());
     if (!base.is_sound()) return std::nullopt;
     if (base.departures == 0) return 0;
     double rate = static_cast<double>(base.departures) / static_cast<double>(base.cycles);
@@ -264,9 +272,10 @@ std::optional<double> rate_of(Walk& walk, const Levels& levels, std::int64_t bud
     for (const double target : targets) {
         std::vector<Walker> there;
         for (std::int64_t i = 0; i < trials; ++i) {
-            const Trial trial = run_trial(walk, from[walk.one_of(from.size())], target);
+            const Trial trial = run_trial(walk, from[walk.one_of(from.size())], target, end);
             if (trial.failed) return std::nullopt;
-            if (const auto walker = reached(trial, target)) there.push_back(*walker);
+            if (trial.stopped) return cell::unknown;
+            if (const auto at_target = reached(trial, target)) there.push_back(*at_target);
         }
         rate *= static_cast<double>(there.size()) / static_cast<double>(trials);
         if (there.empty()) return 0;
@@ -275,12 +284,12 @@ std::optional<double> rate_of(Walk& walk, const Levels& levels, std::int64_t bud
     return rate;
 }
 
-// From the mean rate and its standard error; nothing where no estimate saw a life end.
+// From the mean rate and its standard error; nothing where no estimate saw a life end, or one didn't end.
 std::optional<MeanLife> life_of(const std::vector<double>& rates) {
     const auto count = static_cast<double>(rates.size());
     double mean = 0;
     for (const double rate : rates) mean += rate / count;
-    if (mean == 0) return std::nullopt;
+    if (!(mean > 0)) return std::nullopt;
     double squares = 0;
     for (const double rate : rates) squares += (rate - mean) * (rate - mean);
     return MeanLife{.mean = 1 / mean, .error = std::sqrt(squares / (count - 1) / count) / (mean * mean)};
@@ -291,15 +300,18 @@ std::optional<MeanLife> life_of(const std::vector<double>& rates) {
 std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home, std::int64_t budget,
                                            std::uint64_t seed) {
     Walk walk(map, home, seed);
-    const Followed followed = follow(walk, budget, std::numeric_limits<std::int64_t>::max());
+    Walker walker = walk.begin();
+    const Followed followed = follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max());
     if (!followed.is_sound()) return std::nullopt;
     return life_of(followed);
 }
 
 std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int64_t budget,
                                   std::uint64_t seed) {
+    if (home.radius() < too_strong) return std::nullopt;
     Walk walk(map, home, seed);
-    const Followed first = follow(walk, budget / 4, enough_lives);
+    Walker walker = walk.begin();
+    const Followed first = follow(walk, walker, budget / 4, enough_lives);
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first);
     const double departures_per_cycle =
@@ -307,10 +319,11 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     const auto levels = choose_levels(walk, first.departed, departures_per_cycle, budget / 2);
     if (!levels) return std::nullopt;
     const double reached_per_cycle = departures_per_cycle * levels->probability;
-    if (!levels->leads_away) {
+    const auto without_splitting = [&] {
         if (first.lives > 0) return life_of(first);
         return MeanLife{.least = std::max(1 / reached_per_cycle, life_of(first).least)};
-    }
+    };
+    if (!levels->leads_away) return without_splitting();
     const std::int64_t each = std::max(budget - walk.cycles(), budget / 4) / (2 * estimates);
     double of_trials = 0;
     for (const double cycles : levels->trial_cycles) of_trials += cycles;
@@ -318,12 +331,12 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
                                    fewest_trials, most_trials);
     std::vector<double> rates;
     for (std::int64_t n = 0; n < estimates; ++n) {
-        const auto rate = rate_of(walk, *levels, each, trials);
+        const auto rate = rate_of(walk, walker, *levels, each, trials);
         if (!rate) return std::nullopt;
         rates.push_back(*rate);
     }
     const auto life = life_of(rates);
-    return life ? *life : life_of(first);
+    return life ? *life : without_splitting();
 }
 
 }  // namespace peterka::noise

@@ -1,9 +1,9 @@
 // How long a settled motion lasts that is disturbed at random.
 //
 // It is home where, at forcing phase 0, it is about as near to its orbit as disturbances keep it
-// (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, and
-// would not return within 500 cycles, or twenty times its relaxation time, without disturbances. Its mean life
-// is the mean time until then, counted up to when it would first not have returned. Where
+// (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, at
+// most 2000, and would not return within 500 cycles, or twenty times its relaxation time, without disturbances.
+// Its mean life is the mean time until then, counted up to when it would first not have returned. Where
 // disturbances are so strong that states at a quarter of a standard deviation would not return, it could be
 // home by chance, and has left as soon as it would not return.
 //
@@ -34,8 +34,8 @@ struct MeanLife {
     double least = cell::unknown;  // where nothing was: it lasts at least that long, roughly
 };
 
-// budget: how many disturbed cycles to compute, roughly, and cycles that tell whether a motion returns, four of
-// which count as one. Nothing where the engine fails on the way.
+// budget: how many disturbed cycles to compute, roughly. Nothing where home is a tiny part of what disturbances
+// reach, or where the engine fails on the way.
 [[nodiscard]] std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int64_t budget,
                                                 std::uint64_t seed);
 

@@ -33,7 +33,8 @@ std::optional<noise::MeanLife> life_of(const scene::Cell& cell, const job::Job& 
     const bool may_omit =
         job.solver.engine == job::EngineChoice::automatic || job.solver.engine == job::EngineChoice::exact;
     if (may_omit && !regime::has_nonlinear_contact(cell.oscillator)) {
-        if (auto life = with(scene::without_cubic(cell.oscillator), {})) return life;
+        auto life = with(scene::without_cubic(cell.oscillator), {});
+        if (life || cell.oscillator.cubic == 0) return life;
     }
     const double reach = std::abs(point[0] + cell.oscillator.gap) + std::abs(point[1]);
     return with(cell.oscillator, regime::EngineByReach(cell.oscillator, job.solver, reach).settings());

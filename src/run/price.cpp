@@ -216,13 +216,14 @@ regime::Engine engine_of_lives(const job::Job& job) {
 // Processor time of a cell's life. Per disturbed cycle with 16 changes, in trials and around them, as measured
 // on the paper's rig of 170 mm: 2 to 3 us in closed form, 30 us with its cubic springs, 1 ms by
 // integrators; and for the extent of home some 20 cycles per cycle that the free motion takes to relax.
-double seconds_of_life(const scene::Oscillator<double>& oscillator, std::int64_t cycles,
+double seconds_of_life(const scene::Oscillator<double>& oscillator, const job::Noise& noise,
                        double seconds_per_cycle) {
     constexpr double of_home = 20;
     constexpr double usual_changes = 16;
-    const double to_relax = oscillator.frequency / (2 * std::numbers::pi * oscillator.damping_ratio);
+    const double to_relax = std::min(oscillator.frequency / (2 * std::numbers::pi * oscillator.damping_ratio),
+                                     noise.most_to_relax());
     const double changes = noise::changes_per_cycle(oscillator.period()) / usual_changes;
-    return (static_cast<double>(cycles) + of_home * to_relax) * changes * seconds_per_cycle;
+    return (static_cast<double>(noise.cycles) + of_home * to_relax) * changes * seconds_per_cycle;
 }
 
 std::string noise_price(const job::Job& job) {
@@ -239,8 +240,8 @@ std::string noise_price(const job::Job& job) {
     for (std::int64_t row = 0; row < rows; ++row) {
         for (std::int64_t column = 0; column < columns; ++column) {
             const scene::Cell cell = scene.cell(row * scene.rows() / rows, column * scene.columns() / columns);
-            seconds += seconds_of_life(cell.oscillator, job.noise.cycles, of_cycle) /
-                       static_cast<double>(rows * columns);
+            seconds +=
+                seconds_of_life(cell.oscillator, job.noise, of_cycle) / static_cast<double>(rows * columns);
         }
     }
     return fmt::format("#   noise    some {} of one core for each settled motion, {} if each {} has one\n",
