@@ -22,12 +22,12 @@ second_proof   certified orbits proved once more, in another arithmetic and by a
 export     maps and basins for other programs: CSV, VTK, MATLAB
 operating  choice of an operating point: worst case over a drift and over the starts, best places, verification of the box
 toml       a job's tables as TOML
-identification   stop and springs identified from recordings and measured impacts
 scaling    parallel efficiency: tile times, replay of their distribution to ranks, the picture
-claims     the paper's claims and the page that reports their verdicts
 pictures   the table of all pictures that each kind of file provides
 launching  starts, watches and interrupts the program
 runs       runs jobs with the program and opens files as datasets
+identification   stop and springs identified from recordings, measured impacts and measured forces
+claims     the paper's claims and the page that reports their verdicts
 backend    the same files by xarray's own open_dataset, engine="peterka"
 drawing    draws pictures of datasets, by name
 results_page   the results page in Markdown, from studies and maps
