@@ -71,6 +71,17 @@ TEST(DisturbedLife, WhereNothingLeavesItTellsHowLongItLastsAtLeast) {
     EXPECT_NEAR(followed->least, 1000, 1e-9);  // with 95 % probability three would have been seen
 }
 
+// Of a large swing rounding is larger: trials end with the budget, if it never seems home.
+TEST(DisturbedLife, DisturbancesBelowRoundingEndNothing) {
+    const testing::Settled motion = testing::free_motion(1.5, 1e6);
+    DisturbedMap map(motion.oscillator, {}, white(1e-12));
+    const auto home = Home::of(map, motion.point, 1);
+    ASSERT_TRUE(home);
+    const auto life = mean_life(map, *home, 2'000, 1);
+    ASSERT_TRUE(life);
+    EXPECT_NEAR(life->least, 2'000 / 4 / 3.0, 1);
+}
+
 TEST(DisturbedLife, TheSameSeedGivesTheSameBits) {
     const testing::Settled motion = testing::one_in_three();
     DisturbedMap map(motion.oscillator, {}, {.speed = 0.009, .amplitude = 1e-3});
