@@ -14,7 +14,8 @@ std::string lives_summary(const scene::Scene& scene, const findings::LifeFinding
     std::string text = head;
     if (lives.others > 0) {
         text += fmt::format(
-            "  {} {} not followed: the engine could not, or {} more than {:.0f} forcing cycles to relax, a "
+            "  {} {} not followed: the engine could not, the noise is far too strong, or {} more than {:.0f} "
+            "forcing cycles to relax, a "
             "twentieth of noise.cycles\n",
             readable_count(lives.others), lives.others == 1 ? "settled motion was" : "settled motions were",
             lives.others == 1 ? "it takes" : "they take", scene.job().noise.most_to_relax());

@@ -39,9 +39,7 @@ def check_lives(regime, life, error, least):
     assert np.all(np.isnan(least[~settled]))
     assert np.array_equal(np.isfinite(life), np.isfinite(error))
     assert np.all(life[settled & np.isfinite(life)] > 0)
-    bounds = least[np.isfinite(least)]
-    assert np.all(bounds > 0)
-    assert np.median(bounds) > 2000 / 4 / 3 / 15  # a quarter of the cycles, none of whose ends was seen
+    assert np.all(least[np.isfinite(least)] > 2000 / 4 / 3 / 15)  # a quarter of the cycles, none of whose ends was seen
 
 
 def test_each_settled_attractor_has_a_mean_life_or_a_bound(with_starts):
@@ -102,8 +100,9 @@ def test_a_motion_that_takes_too_long_to_relax_is_not_followed(tmp_path):
     free = (told["regime"] == 0) & (told["impacts"] == 0)
     assert free.any()
     assert all(np.all(np.isnan(told[name][free])) for name in LIVES)
+    none = np.isin(told["regime"], SETTLED) & np.isnan(told["mean_life_s"]) & np.isnan(told["mean_life_least_s"])
+    assert f"{none.sum()} settled motions were not followed: " in summary
     assert "more than 100 forcing cycles to relax, a twentieth of noise.cycles" in summary
-    assert f"{np.isin(told['regime'], SETTLED).sum() - np.isfinite(told['mean_life_least_s'] + 0).sum() - np.isfinite(told['mean_life_s']).sum()} settled motion" in summary
 
 
 def test_check_tells_what_they_cost(tmp_path):

@@ -108,6 +108,22 @@ TEST(DisturbedMap, ACartThatDeviatesIsThatOfAnotherJob) {
     }
 }
 
+// Up to the largest reach for which springs can be kicks: a larger swing of the cart is no larger in its
+// lengths.
+TEST(DisturbedMap, ACartThatSwingsFurtherTakesNoMoreKicks) {
+    scene::Oscillator<double> oscillator = testing::one_in_three().oscillator;
+    oscillator.cubic = 1e-4;
+    const auto follows = [&](double reach, double amplitude) {
+        DisturbedMap map(oscillator, {.engine = regime::Engine::split, .largest_displacement = reach}, {});
+        return map.deviating({-2, 1}, {amplitude, 0}).has_value();
+    };
+    double largest = 0.1;
+    while (follows(1.01 * largest, 0)) largest *= 1.01;
+    ASSERT_GT(largest, 0.2);
+    ASSERT_LT(largest, 1e4);
+    EXPECT_TRUE(follows(largest, 0.1));
+}
+
 // Far from the stop the motion is linear, so that the first order is all.
 TEST(DisturbedMap, ManyCyclesSpreadByTheCovarianceOfTheLinearizedOne) {
     const testing::Settled motion = testing::free_motion(1.5, 50);

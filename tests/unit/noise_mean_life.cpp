@@ -58,6 +58,14 @@ TEST(DisturbedLife, DisturbancesFarBeyondItAtOnce) {
     EXPECT_LT(lives.split->mean, 3);
 }
 
+TEST(DisturbedLife, NothingIsToldWhereNoiseReachesEverywhere) {
+    DisturbedMap map(testing::one_in_three().oscillator, {}, white(3e4));
+    const auto home = Home::of(map, testing::one_in_three().point, 3);
+    ASSERT_TRUE(home);
+    EXPECT_LT(home->radius(), 1e-5);
+    EXPECT_FALSE(mean_life(map, *home, 1'000, 1));
+}
+
 TEST(DisturbedLife, WhereNothingLeavesItTellsHowLongItLastsAtLeast) {
     DisturbedMap map(testing::one_in_three().oscillator, {}, white(1e-4));
     const auto home = Home::of(map, testing::one_in_three().point, 3);

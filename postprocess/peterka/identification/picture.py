@@ -45,7 +45,7 @@ def draw(fit: Fit, title: str) -> Figure:
             _draw_signal(upper, recording, name, factor, inside, (1, 1e3)[column])
             _draw_left(lower, recording, name, factor, inside, (1, 1e3)[column])
             for ax in (upper, lower):
-                _plain(ax)
+                plain(ax)
             if column == 0:
                 upper.set_ylabel(f"{NAMES[name][0]} ({unit})")
                 lower.set_ylabel(f"residual ({unit})")
@@ -108,7 +108,8 @@ def _inside(time: Reals, inside: tuple[float, float] | None) -> Mask:
     return np.ones(len(time), dtype=bool) if inside is None else (time >= inside[0]) & (time <= inside[1])
 
 
-def _plain(ax: Axes) -> None:
+def plain(ax: Axes) -> None:
+    """Grid and plain numbers, for axes in units that are told beside them."""
     ax.grid(color="#DDDDDD", linewidth=0.5)
     ax.set_axisbelow(True)
     for axis in (ax.xaxis, ax.yaxis):

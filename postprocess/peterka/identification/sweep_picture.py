@@ -9,8 +9,8 @@ from matplotlib.lines import Line2D
 
 from ..arrays import Mask, Reals
 from ..plotting import axes, style, units
-from ..plotting.linear_ticks import LinearNumbers, LinearTicks
 from .branches import Landscape
+from .picture import plain
 from .sweep_fit import SweepFit
 
 WIDTH, HEIGHT = 7.0, 4.6  # in
@@ -56,7 +56,7 @@ def draw(fit: SweepFit, start: Reals, title: str) -> Figure:
         if points.gap is not None:
             upper.text(0.03, 0.96, f"gap {1e3 * gaps[number]:.4g} mm", transform=upper.transAxes, va="top", fontsize=8)
         for ax in (upper, lower):
-            _plain(ax)
+            plain(ax)
             if number:
                 ax.tick_params(labelleft=False)
     first[0].set_ylabel(f"peak force ({unit})")
@@ -106,11 +106,3 @@ def _legend(below: Axes, fit: SweepFit, now: Sequence[Landscape]) -> None:
         handles.append(Line2D([], [], label="no period", **CHAOS | {"markersize": 4}))
     below.axis("off")
     below.legend(handles=handles, ncol=3, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False)
-
-
-def _plain(ax: Axes) -> None:
-    ax.grid(color="#DDDDDD", linewidth=0.5)
-    ax.set_axisbelow(True)
-    for axis in (ax.xaxis, ax.yaxis):
-        axis.set_major_locator(LinearTicks())
-        axis.set_major_formatter(LinearNumbers())
