@@ -3,14 +3,10 @@
 
 #include "hdf5/checked.hpp"
 #include "parallel/session.hpp"
-#include "run/check_job.hpp"
 #include "run/command_line.hpp"
+#include "run/commands.hpp"
 #include "run/require_memory.hpp"
-#include "run/run_curves.hpp"
-#include "run/run_job.hpp"
 #include "run/run_plan.hpp"
-#include "run/run_study.hpp"
-#include "run/run_trace.hpp"
 #include "support/print.hpp"
 
 int main(int argc, char** argv) {

@@ -1,8 +1,9 @@
 #include "attractors/kicks.hpp"
 
-#include <utility>
-
+#include "attractors/kick_scan.hpp"
+#include "attractors/kicked_orbit.hpp"
 #include "attractors/safe_kicks.hpp"
+#include "attractors/side_by_side.hpp"
 #include "regime/same_attractor.hpp"
 
 namespace peterka::attractors {
@@ -20,71 +21,51 @@ KickScan::Outcome outcome_of(const regime::CellResult& settled, const regime::Ce
     return outcome;
 }
 
+// What became of kicks that were tried together. The engine may not carry one of them to the next phase 0,
+// which yields no information either.
+Task<std::vector<KickScan::Outcome>> outcomes_of(SearchBroker& broker, const KickedCell& cell,
+                                                 const regime::CellResult& settled, KickedOrbit& orbit,
+                                                 std::vector<KickTried> kicks) {
+    std::vector<SearchFactory> searches;
+    std::vector<std::size_t> searched;
+    for (std::size_t i = 0; i < kicks.size(); ++i) {
+        const auto start = orbit.after(kicks[i]);
+        if (!start) continue;
+        searches.push_back(cell.search_from(*start));
+        searched.push_back(i);
+    }
+    const std::vector<SearchOutcome> ended = co_await broker.searches(std::move(searches));
+    std::vector<KickScan::Outcome> outcomes(kicks.size());
+    for (std::size_t i = 0; i < ended.size(); ++i) outcomes[searched[i]] = outcome_of(settled, ended[i].result);
+    co_return outcomes;
+}
+
+Task<cell::Kick> smallest_kick(SearchBroker& broker, const KickedCell& cell, const Tally::Entry& attractor) {
+    cell::Kick kick;
+    if (!attractor.orbit) co_return kick;
+    KickedOrbit orbit(cell.oscillator, *attractor.orbit);
+    KickScan scan(orbit.period(), cell.largest);
+    for (auto kicks = scan.next({}); !kicks.empty();) {
+        kicks = scan.next(co_await outcomes_of(broker, cell, attractor.result, orbit, std::move(kicks)));
+    }
+    kick.tried = scan.tried();
+    const auto safe = largest_safe_kick(orbit, cell.known, cell.oscillator, *attractor.orbit, kick.tried);
+    if (safe) kick.lower = *safe;
+    if (!scan.found()) co_return kick;
+    kick.size = scan.smallest().size();
+    kick.phase = scan.smallest().phase;
+    kick.direction = scan.smallest().change < 0 ? -1 : 1;
+    co_return kick;
+}
+
 }  // namespace
 
-Kicks::Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry> attractors, double largest,
-             const regime::AttractorTable& known, SearchFrom search_from)
-    : cell_(cell), known_(known), search_from_(std::move(search_from)) {
-    for (std::size_t slot = 0; slot < attractors.size(); ++slot) {
-        const Tally::Entry& entry = attractors[slot];
-        if (!entry.orbit) continue;
-        KickedOrbit orbit(cell, *entry.orbit);
-        const KickScan scan(orbit.period(), largest);
-        kicked_.push_back({slot, entry.result, *entry.orbit, std::move(orbit), scan});
-    }
-}
-
-std::vector<SearchFactory> Kicks::next(std::span<const SearchOutcome> ended) {
-    std::vector<SearchFactory> searches;
-    bool goes_on = true;
-    while (searches.empty() && goes_on) {  // the engine may carry none of these kicks
-        goes_on = false;
-        for (Kicked& kicked : kicked_) goes_on |= kick(kicked, ended, searches);
-    }
-    return searches;
-}
-
-// The next kicks of one motion, once its previous ones have ended; false when there are none.
-bool Kicks::kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vector<SearchFactory>& searches) {
-    const std::vector<KickTried> kicks = kicked.scan.next(take(kicked, ended));
-    kicked.carried.clear();
-    for (const KickTried& each : kicks) {
-        const auto start = kicked.orbit.after(each);
-        kicked.carried.push_back(start.has_value());
-        if (start) searches.push_back(search_from_(*start));
-    }
-    return !kicks.empty();
-}
-
-// The outcomes of its last kicks; advances `ended` past them.
-std::vector<KickScan::Outcome> Kicks::take(const Kicked& kicked, std::span<const SearchOutcome>& ended) {
-    std::vector<KickScan::Outcome> outcomes;
-    for (const bool carried : kicked.carried) {
-        if (!carried) {
-            outcomes.push_back({});
-            continue;
-        }
-        const regime::CellResult& result = ended.front().result;
-        outcomes.push_back(outcome_of(kicked.result, result));
-        ended = ended.subspan(1);
-    }
-    return outcomes;
-}
-
-cell::Kick Kicks::smallest(std::size_t slot) {
-    cell::Kick kick;
-    for (Kicked& kicked : kicked_) {
-        if (kicked.slot != slot) continue;
-        kick.tried = kicked.scan.tried();
-        const auto safe = largest_safe_kick(kicked.orbit, known_, cell_, kicked.found, kick.tried);
-        if (safe) kick.lower = *safe;
-        if (!kicked.scan.found()) break;
-        const KickTried& smallest = kicked.scan.smallest();
-        kick.size = smallest.size();
-        kick.phase = smallest.phase;
-        kick.direction = smallest.change < 0 ? -1 : 1;
-    }
-    return kick;
+Task<std::vector<cell::Kick>> smallest_kicks(SearchBroker& broker, const KickedCell& cell,
+                                             std::span<const Tally::Entry> attractors) {
+    return side_by_side<cell::Kick>(broker, attractors.size(),
+                                    [&cell, attractors](std::size_t slot, SearchBroker& own) {
+                                        return smallest_kick(own, cell, attractors[slot]);
+                                    });
 }
 
 }  // namespace peterka::attractors

@@ -86,12 +86,8 @@ Task<SolvedCell> MultiStartCell::solve(SearchBroker& broker) {
     if (count() > 0) tell_attractors();
     if (context_.scene.job().output.has(job::OptionalField::critical_kick)) {
         know_more(co_await broker.searches(orbits_to_kick()));
-        Kicks kicks = this->kicks();
-        std::vector<SearchOutcome> ended;
-        for (auto searches = kicks.next({}); !searches.empty(); searches = kicks.next(ended)) {
-            ended = co_await broker.searches(std::move(searches));
-        }
-        tell_kicks(kicks);
+        const KickedCell kicked = this->kicked();
+        tell_kicks(co_await smallest_kicks(broker, kicked, kept_));
     }
     if (context_.uncertain) {
         DrawnRigs rigs = drawn_rigs();
@@ -245,16 +241,16 @@ void MultiStartCell::tell_mean_life() {
     slot->mean_life_error = life_.error() * cell_.oscillator.period();
 }
 
-Kicks MultiStartCell::kicks() const {
+KickedCell MultiStartCell::kicked() const {
     const Interval velocities = velocities_of(context_.of_starts.starts, cell_.scales);
     const double largest = std::max(std::abs(velocities.from), std::abs(velocities.to));
-    return {cell_.oscillator, kept_, largest, table_, [this](const auto& start) { return search_from(start); }};
+    return {cell_.oscillator, largest, table_, [this](const auto& start) { return search_from(start); }};
 }
 
-void MultiStartCell::tell_kicks(Kicks& kicks) {
-    if (count() == 0) solved_.cell.kick = kicks.smallest(0);
+void MultiStartCell::tell_kicks(std::span<const cell::Kick> kicks) {
+    if (count() == 0 && !kicks.empty()) solved_.cell.kick = kicks.front();
     for (std::size_t slot = 0; slot < solved_.attractors.size(); ++slot) {
-        solved_.attractors[slot].kick = kicks.smallest(slot);
+        solved_.attractors[slot].kick = kicks[slot];
     }
 }
 

@@ -78,8 +78,8 @@ class MultiStartCell {
     [[nodiscard]] EarlyVerdict sooner() const;
     void take_starts(std::span<const SearchOutcome> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
-    [[nodiscard]] Kicks kicks() const;
-    void tell_kicks(Kicks& kicks);
+    [[nodiscard]] KickedCell kicked() const;
+    void tell_kicks(std::span<const cell::Kick> kicks);
     [[nodiscard]] DrawnRigs drawn_rigs() const;
     void tell_outcomes(const DrawnRigs& rigs, const std::vector<SearchOutcome>& ended);
     [[nodiscard]] SearchFactory search_from(const scene::State<double>& start, EarlyVerdict sooner = {}) const;

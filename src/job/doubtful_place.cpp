@@ -1,4 +1,4 @@
-#include "job/doubtful_place.hpp"
+#include "job/doubtful_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

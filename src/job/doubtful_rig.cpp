@@ -1,4 +1,4 @@
-#include "job/doubtful_rig.hpp"
+#include "job/doubtful_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

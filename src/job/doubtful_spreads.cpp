@@ -1,4 +1,4 @@
-#include "job/doubtful_spreads.hpp"
+#include "job/doubtful_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,7 @@
 
 #include "job/axis_key.hpp"
 #include "job/cell_numbers.hpp"
-#include "job/doubtful_place.hpp"
-#include "job/doubtful_rig.hpp"
-#include "job/doubtful_spreads.hpp"
+#include "job/doubtful_numbers.hpp"
 #include "job/settle.hpp"
 #include "job/twins.hpp"
 

@@ -1,12 +1,15 @@
 #include "noise/home.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
+
+#include "trajectory/multiplier.hpp"
 
 namespace peterka::noise {
 
@@ -48,7 +51,7 @@ Matrix stationary(const Matrix& flow, const Matrix& added) {
         for (int j = 0; j < 4; ++j) system(i, j) -= flow(i / 2, j / 2) * flow(i % 2, j % 2);
     }
     const Eigen::Vector4d right(added(0, 0), added(0, 1), added(1, 0), added(1, 1));
-    const Eigen::Vector4d solved = system.fullPivLu().solve(right);
+    const Eigen::Vector4d solved = system.partialPivLu().solve(right);
     const double across = (solved[1] + solved[2]) / 2;
     return (Matrix() << solved[0], across, across, solved[3]).finished();
 }
@@ -100,7 +103,7 @@ std::optional<Round> closed_round(DisturbedMap& map, const State& near, int peri
     auto round = round_from(map, near, period);
     if (!round || !(round->missed().norm() <= near_enough * size)) return std::nullopt;
     for (int n = 0; n < most_steps && round->missed().norm() > closed * size; ++n) {
-        const State step = (Matrix::Identity() - round->flow).fullPivLu().solve(round->missed());
+        const State step = (Matrix::Identity() - round->flow).inverse() * round->missed();
         auto next = round_from(map, round->starts.front() + step, period);
         if (!next || !(next->missed().norm() < round->missed().norm())) break;
         round = std::move(next);
@@ -115,10 +118,11 @@ std::optional<Home> Home::of(DisturbedMap& map, const State& at_phase_0, int per
     constexpr double rounding = 1e-9;
     const auto round = closed_round(map, at_phase_0, period);
     if (!round) return std::nullopt;
-    const double largest_multiplier = round->flow.eigenvalues().cwiseAbs().maxCoeff();
-    if (!(largest_multiplier < 1 - rounding)) return std::nullopt;
+    const double multiplier =
+        std::abs(trajectory::largest_multiplier(round->flow.trace() / 2, round->flow.determinant()));
+    if (!(multiplier < 1 - rounding)) return std::nullopt;
     Home home;
-    home.to_relax_ = -period / std::log(largest_multiplier);
+    home.to_relax_ = -period / std::log(multiplier);
     if (home.to_relax_ > most_to_relax) return std::nullopt;
     Matrix covariance = stationary(round->flow, round->added);
     for (std::size_t i = 0; i < round->cycles.size(); ++i) {

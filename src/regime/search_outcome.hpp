@@ -24,7 +24,12 @@ struct SearchOutcome {
 };
 
 // The outcome of a search from one start.
-[[nodiscard]] Task<SearchOutcome> outcome_of(Task<CellResult> search);
+[[nodiscard]] inline Task<SearchOutcome> outcome_of(Task<CellResult> search) {
+    SearchOutcome outcome;
+    outcome.result = co_await search;
+    outcome.cycles = outcome.result.cycles;
+    co_return outcome;
+}
 
 // Whether searches are on rigs that the scene has, or each on a rig of its own.
 enum class Rigs { of_scene, of_each };

@@ -1,4 +1,4 @@
-#include "report/certificate_summary.hpp"
+#include "report/summary_parts.hpp"
 
 #include <fmt/format.h>
 

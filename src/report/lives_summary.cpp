@@ -1,4 +1,4 @@
-#include "report/lives_summary.hpp"
+#include "report/summary_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/long_chaos.hpp"
+#include "report/summary_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ std::int64_t cycles_asked(const scene::Scene& scene, const findings::LongestChao
 
 }  // namespace
 
-std::string long_chaos_in_words(const scene::Scene& scene, const findings::Statistics& statistics) {
+std::string long_chaos(const scene::Scene& scene, const findings::Statistics& statistics) {
     if (!statistics.longest.found()) return "";
     const std::int64_t now = scene.job().steady_state.max_cycles;
     const std::int64_t cycles = cycles_asked(scene, statistics.longest);

@@ -10,20 +10,12 @@
 #include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "regime/solve_cell.hpp"
-#include "report/audit_summary.hpp"
 #include "report/axis_words.hpp"
-#include "report/basin_summary.hpp"
-#include "report/certificate_summary.hpp"
 #include "report/closing_lines.hpp"
-#include "report/elasticities_summary.hpp"
-#include "report/kicks_summary.hpp"
-#include "report/lives_summary.hpp"
-#include "report/long_chaos.hpp"
 #include "report/outcomes_summary.hpp"
 #include "report/regime_words.hpp"
 #include "report/starts_inside.hpp"
-#include "report/starts_summary.hpp"
-#include "report/sweep_summary.hpp"
+#include "report/summary_parts.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -169,16 +161,16 @@ std::string summary_text(const SummaryInput& input) {
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
            basin_summary(input.scene, input.findings.basin) +
-           long_chaos_in_words(input.scene, input.findings.statistics) +
+           long_chaos(input.scene, input.findings.statistics) +
            starts_summary(input.scene, input.findings.statistics.starts) +
            outcomes_summary(input.scene.job(), input.findings.statistics.outcomes) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            lives_summary(input.scene, input.findings.statistics.starts.counts.lives) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            elasticities_summary(input.scene.job(), input.findings.statistics) +
-           sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + input.borders +
-           effort(input) + certificate_summary(input.scene, input.findings.statistics) + audit(input) +
-           omitted(input) + "\n" + closing_lines(kind, input.file);
+           sweep_summary(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) +
+           input.borders + effort(input) + certificate_summary(input.scene, input.findings.statistics) +
+           audit(input) + omitted(input) + "\n" + closing_lines(kind, input.file);
 }
 
 }  // namespace peterka

@@ -1,4 +1,4 @@
-#include "report/sweep_summary.hpp"
+#include "report/summary_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -259,8 +259,8 @@ class Words {
 
 }  // namespace
 
-std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches,
-                       std::span<const GapAttractors> beside) {
+std::string sweep_summary(const scene::Scene& scene, std::span<const BranchFindings> branches,
+                          std::span<const GapAttractors> beside) {
     const Words words(scene);
     const bool both = scene.job().sweep.direction == job::Direction::both;
     std::string text;

@@ -1,4 +1,4 @@
-#include "run/run_study.hpp"
+#include "run/commands.hpp"
 
 #include <fmt/format.h>
 

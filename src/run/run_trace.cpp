@@ -1,4 +1,4 @@
-#include "run/run_trace.hpp"
+#include "run/commands.hpp"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 
 #include "job/axis_key.hpp"
 #include "job/cell_numbers.hpp"
+#include "support/expect.hpp"
 
 namespace peterka::scene {
 namespace {
@@ -51,6 +52,7 @@ Scene::Scene(const job::Job& job)
 // At forcing phase 0 the cart passes its mid-position at full speed: y = 0 and y' = A0 Omega.
 Cell Scene::cell(std::int64_t row, std::int64_t column) const {
     const bool is_alone = job_.kind == job::Kind::trace;
+    PETERKA_EXPECT(is_alone || (0 <= row && row < rows() && 0 <= column && column < columns()));
     const job::CellNumbers numbers = is_alone ? numbers_in(job_) : numbers_at(job_, row, column);
     Cell cell = varies_ ? Cell{oscillator_of(numbers), {}, scales_of(numbers)} : Cell{oscillator_, {}, scales_};
     const double frequency = numbers.frequency_ratio();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "rig.hpp"
@@ -49,38 +50,40 @@ CellResult elsewhere() {
 TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
     const Kicked kicked = two_orbits();
     const regime::AttractorTable known;
-    std::vector<scene::State<double>> starts;
-    Kicks kicks(kicked.oscillator, kicked.entries, 4, known, [&](const scene::State<double>& start) {
-        starts.push_back(start);
-        return SearchFactory{};
-    });
-    std::vector<SearchOutcome> ended;
+    std::size_t starts = 0;
+    const KickedCell cell{kicked.oscillator, 4, known, [&](const scene::State<double>&) {
+                              ++starts;
+                              return SearchFactory{};
+                          }};
+    SearchBroker broker;
+    const auto task = smallest_kicks(broker, cell, kicked.entries);
+    task.start();
     std::size_t rounds = 0;
-    for (;;) {
-        starts.clear();
-        const std::vector<SearchFactory> searches = kicks.next(ended);
-        if (searches.empty()) break;
-        ASSERT_EQ(searches.size(), starts.size());
-        ended.assign(searches.size(), {.result = kicked.entries[1].result});
+    for (; !task.done(); ++rounds) {
+        const std::size_t count = broker.ordered().size();
+        ASSERT_EQ(count, std::exchange(starts, 0));
+        std::vector<SearchOutcome> ended(count, {.result = kicked.entries[1].result});
         // in the first round each of the two has 32 kicks: all
         // of the first return, and one of the second does not
         if (rounds == 0) {
-            ASSERT_EQ(searches.size(), 64U);
+            ASSERT_EQ(count, 64U);
             ended.back() = {.result = elsewhere()};
             ended[3].result.regime = Regime::failed;  // gives no information
         }
-        ++rounds;
+        broker.serve(std::move(ended));
     }
     EXPECT_GT(rounds, 9U);
-    EXPECT_TRUE(std::isnan(kicks.smallest(1).size));
-    EXPECT_EQ(kicks.smallest(1).tried, 4);
-    EXPECT_LE(kicks.smallest(3).size, 4.0 / 256);
-    EXPECT_GT(kicks.smallest(3).size, 0);
-    EXPECT_EQ(kicks.smallest(3).tried, kicks.smallest(3).size);
+    const std::vector<cell::Kick> kicks = task.result();
+    ASSERT_EQ(kicks.size(), 4U);
+    EXPECT_TRUE(std::isnan(kicks[1].size));
+    EXPECT_EQ(kicks[1].tried, 4);
+    EXPECT_LE(kicks[3].size, 4.0 / 256);
+    EXPECT_GT(kicks[3].size, 0);
+    EXPECT_EQ(kicks[3].tried, kicks[3].size);
     for (const std::size_t slot : {0U, 2U}) {
-        EXPECT_TRUE(std::isnan(kicks.smallest(slot).tried)) << slot;
-        EXPECT_TRUE(std::isnan(kicks.smallest(slot).size)) << slot;
-        EXPECT_EQ(kicks.smallest(slot).direction, 0) << slot;
+        EXPECT_TRUE(std::isnan(kicks[slot].tried)) << slot;
+        EXPECT_TRUE(std::isnan(kicks[slot].size)) << slot;
+        EXPECT_EQ(kicks[slot].direction, 0) << slot;
     }
 }
 
@@ -95,21 +98,22 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     ASSERT_TRUE(at_phase_0.has_value());
     const regime::AttractorTable known;
     std::vector<scene::State<double>> starts;
-    Kicks kicks(kicked.oscillator, kicked.entries, 4, known, [&](const scene::State<double>& start) {
-        starts.push_back(start);
-        return SearchFactory{};
-    });
-    std::vector<SearchOutcome> ended;
-    for (;;) {
-        starts.clear();
-        if (kicks.next(ended).empty()) break;
-        ended.clear();
-        for (const auto& start : starts) {
+    const KickedCell cell{kicked.oscillator, 4, known, [&](const scene::State<double>& start) {
+                              starts.push_back(start);
+                              return SearchFactory{};
+                          }};
+    SearchBroker broker;
+    const auto task = smallest_kicks(broker, cell, kicked.entries);
+    task.start();
+    while (!task.done()) {
+        std::vector<SearchOutcome> ended;
+        for (const auto& start : std::exchange(starts, {})) {
             const bool leaves = start[1] < (*at_phase_0)[1] - 0.5;  // at the next phase 0
             ended.push_back({.result = leaves ? elsewhere() : orbit});
         }
+        broker.serve(std::move(ended));
     }
-    const cell::Kick smallest = kicks.smallest(1);
+    const cell::Kick smallest = task.result()[1];
     ASSERT_GT(smallest.size, 0);
     const auto start = undisturbed.after({smallest.phase, smallest.direction * smallest.size});
     ASSERT_TRUE(start.has_value());

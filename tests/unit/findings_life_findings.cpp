@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/lives_summary.hpp"
+#include "report/summary_parts.hpp"
 #include "rig.hpp"
 
 namespace peterka::findings {

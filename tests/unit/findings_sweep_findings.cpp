@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "report/sweep_summary.hpp"
+#include "report/summary_parts.hpp"
 #include "rig.hpp"
 
 namespace peterka {
@@ -114,7 +114,7 @@ TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
     job.columns = {.from = 1.0, .to = 2.0, .points = 6};
     job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::both};
     const std::vector<BranchFindings> branches{rising(), falling()};
-    const std::string text = sweep_text(scene::Scene(job), branches);
+    const std::string text = sweep_summary(scene::Scene(job), branches);
     for (const char* words :
          {"Gap/A0 0 (0 mm)", "up ", "down ",
           "60 weights = 175.3 N at Omega/omega 1.4 (6.3 Hz), where z = 1/1 ends with a jump: no resonance",
@@ -139,7 +139,7 @@ TEST(SweepSummary, ALargestForceAtAnEndMayBeLargerBeyond) {
         std::vector<StoredCell> cells(6, orbit(1, 2, 20));
         cells[place] = chaos(70);
         const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, cells)};
-        const std::string text = sweep_text(scene::Scene(job), branches);
+        const std::string text = sweep_summary(scene::Scene(job), branches);
         EXPECT_NE(text.find("70 weights"), std::string::npos) << text;
         EXPECT_EQ(text.find("it may be larger beyond") != std::string::npos, place == 0 || place == 5)
             << place << text;
@@ -152,7 +152,7 @@ TEST(SweepSummary, IsInHertzMillimetresAndNewtonsWhereTheJobIs) {
     job.columns = {.from = 4.5, .to = 9.0, .points = 6, .over = "frequency_hz"};
     job.sweep = {.gap_ratio = {}, .gap_m = {0.89e-3}, .direction = job::Direction::both};
     const std::vector<BranchFindings> branches{rising(), falling()};
-    const std::string text = sweep_text(scene::Scene(job), branches);
+    const std::string text = sweep_summary(scene::Scene(job), branches);
     for (const char* words :
          {"\nGap 0.89 mm (gap/A0 1)\n",
           "175.3 N = 60 weights at frequency 6.3 Hz, where z = 1/1 ends with a jump: no resonance",
@@ -170,7 +170,7 @@ TEST(SweepSummary, TellsEachHysteresisAndTheMotionsAtItsEnds) {
     const auto told = [&](std::vector<StoredCell> up, std::vector<StoredCell> down) {
         const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, std::move(up)),
                                                    find_in_branch({0, job::Direction::down}, std::move(down))};
-        return sweep_text(scene::Scene(job), branches);
+        return sweep_summary(scene::Scene(job), branches);
     };
     const StoredCell one = orbit(1, 1, 40);
     const StoredCell strong = orbit(1, 1, 60);
@@ -201,7 +201,7 @@ TEST(SweepSummary, TellsOfTheStartsOfEachGap) {
         std::vector<GapAttractors> beside(3);
         for (int gap = 0; gap < 3; ++gap)
             beside[static_cast<std::size_t>(gap)] = {.points = 6, .several = 2 + gap, .most = 2};
-        const std::string text = sweep_text(scene::Scene(job), branches, beside);
+        const std::string text = sweep_summary(scene::Scene(job), branches, beside);
         std::size_t at = 0;
         for (const char* words : {"Gap/A0 0 ", "2 of 6 points have several", "Gap/A0 0.5 ",
                                   "3 of 6 points have several", "Gap/A0 1 ", "4 of 6 points have several"}) {
@@ -222,7 +222,7 @@ TEST(SweepSummary, TwoMotionsWithOneLabelHaveTheirForces) {
         const std::vector<StoredCell> high(3, orbit(1, 1, up));
         const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, high),
                                                    find_in_branch({0, job::Direction::down}, low)};
-        return sweep_text(scene::Scene(job), branches);
+        return sweep_summary(scene::Scene(job), branches);
     };
     EXPECT_NE(text(40, 30).find("1/1, at 1.5 (6.75 Hz) up 40 weights, down 30 weights"), std::string::npos);
     EXPECT_NE(text(1004, 990.2).find("up 1004 weights, down 990.2 weights"), std::string::npos);
@@ -235,7 +235,7 @@ TEST(SweepSummary, CallsAMaximumInsideTheBandAResonance) {
     job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::up};
     const auto text = [&](std::vector<StoredCell> cells) {
         const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, std::move(cells))};
-        return sweep_text(scene::Scene(job), branches);
+        return sweep_summary(scene::Scene(job), branches);
     };
     const std::string inside = text({orbit(1, 1, 40), orbit(1, 1, 60), orbit(1, 1, 50)});
     EXPECT_NE(

@@ -21,6 +21,7 @@ job::Job any_job(std::mt19937& random) {
         return values.begin()[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)];
     };
     job::Job job = testing::job_170mm(one_of({0, 238.2325, 238.2325, 2e4, 1e7}));
+    job.columns.points = job.rows.points = 1;
     job.hammer.damping_ns_per_m = one_of({0, 0.06, 1, 30});
     if (one_of({0, 1}) == 1) job.contact = job::Restitution{0.7};
     job.solver.omit_tolerance = one_of({1e-3, 1e-3, 0});
@@ -72,6 +73,7 @@ TEST(SolveAtOnce, SaysWhatTheSearchSays) {
 // reach by less than L/3/(1 - L), L = e H (regime/lasting_motion_proof.hpp).
 TEST(SolveAtOnce, LeavesTheCubicTermOutAsFarAsItBringsNoTouch) {
     job::Job job = testing::job_170mm(1e6);
+    job.columns.points = job.rows.points = 1;
     job.hammer.damping_ns_per_m = 1;
     job.solver.omit_tolerance = 1;
     const scene::Cell cell = scene::Scene(job).cell(0, 0);

@@ -1,5 +1,5 @@
 // The attractors of a basin in words.
-#include "report/basin_summary.hpp"
+#include "report/summary_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@ using findings::Attractor;
 scene::Scene small_basin() {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::basin;
+    job.columns.points = job.rows.points = 1;
     return scene::Scene(job);
 }
 

@@ -1,5 +1,5 @@
 // The critical kicks of many cells, summarised in words.
-#include "report/kicks_summary.hpp"
+#include "report/summary_parts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What many starts show, in words.
-#include "report/starts_summary.hpp"
+#include "report/summary_parts.hpp"
 
 #include <gtest/gtest.h>
 
