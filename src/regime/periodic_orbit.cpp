@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "regime/orbit_round.hpp"
@@ -123,6 +124,32 @@ Task<bool> is_stable_orbit_near(StroboscopicMap& map, const Recurrence& trajecto
     co_return false;
 }
 
+namespace {
+
+double cross(const Point& a, const Point& b) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+
+// Whether a point lies in the hull of the origin and other points: in a triangle of the origin and two of them.
+bool in_hull_with_origin(const Point& point, std::span<const Point> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double area = cross(points[i], points[j]);
+            const double first = cross(point, points[j]) / area;
+            const double second = cross(points[i], point) / area;
+            if (first >= 0 && second >= 0 && first + second <= 1) return true;
+        }
+    }
+    return false;
+}
+
+bool has_complex_multipliers(const Eigen::Matrix2d& jacobian) {
+    const double half_trace = jacobian.trace() / 2;
+    return half_trace * half_trace < jacobian.determinant();
+}
+
+}  // namespace
+
 ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise)
     : orbit_(orbit),
       norm_(orbit.jacobian, orbit.multiplier),
@@ -132,6 +159,7 @@ ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state,
 ConvergenceTest::Standing ConvergenceTest::advance(const Point& state, EventPattern pattern) {
     constexpr int needed_in_a_row = 2;
     constexpr int allowed_failures = 12;
+    constexpr std::size_t most_followed = 64;  // more would hardly widen the hull
 
     const Point before = error_;
     error_ = state - orbit_.point();
@@ -140,9 +168,14 @@ ConvergenceTest::Standing ConvergenceTest::advance(const Point& state, EventPatt
     const bool at_rest =
         std::max(before.lpNorm<Eigen::Infinity>(), error_.lpNorm<Eigen::Infinity>()) < at_rest_;
     if (at_rest || remainder <= (1 - norm_.contraction()) / 2 * norm_(before)) {
-        return ++in_a_row_ >= needed_in_a_row ? Standing::proved : Standing::open;
+        followed_from_.push_back(before);
+        const bool stays = at_rest || followed_from_.size() == most_followed ||
+                           !has_complex_multipliers(orbit_.jacobian) ||
+                           in_hull_with_origin(error_, followed_from_);
+        return ++in_a_row_ >= needed_in_a_row && stays ? Standing::proved : Standing::open;
     }
     in_a_row_ = 0;
+    followed_from_.clear();
     const bool grows = norm_(error_) > norm_(before);
     return grows || ++failures_ >= allowed_failures ? Standing::refuted : Standing::open;
 }
@@ -154,12 +187,17 @@ ConvergenceTest::Standing ConvergenceTest::follow(const CycleResult& cycle) {
     return advance(cycle.end, std::exchange(pattern_, 0));
 }
 
-ConvergenceTest::Standing standing_of(const Recurrence& trajectory, const PeriodicOrbit& orbit, double noise) {
+TestOfPast test_of_past(const Recurrence& trajectory, const PeriodicOrbit& orbit, double noise) {
+    constexpr std::int64_t most_periods = 16;
     const std::int64_t q = orbit.period();
-    ConvergenceTest past(orbit, trajectory.state(2 * q), noise);
-    const auto before = past.advance(trajectory.state(q), trajectory.pattern(q, q));
-    if (before != ConvergenceTest::Standing::open) return before;
-    return past.advance(trajectory.state(), trajectory.pattern(q));
+    const std::int64_t periods = std::min(most_periods, trajectory.whole_periods(q));
+    TestOfPast past{ConvergenceTest(orbit, trajectory.state(periods * q), noise)};
+    for (std::int64_t left = periods; left-- > 0;) {
+        past.standing = past.test.advance(trajectory.state(left * q), trajectory.pattern(q, left * q));
+        if (past.standing == ConvergenceTest::Standing::refuted)
+            past.test = ConvergenceTest(orbit, trajectory.state(left * q), noise);
+    }
+    return past;
 }
 
 }  // namespace peterka::regime

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "regime/adapted_norm.hpp"
 #include "regime/recurrence.hpp"
 #include "regime/stroboscopic_map.hpp"
+#include "support/reused_memory.hpp"
 #include "support/task.hpp"
 
 namespace peterka::regime {
@@ -52,6 +54,11 @@ Task<bool> is_stable_orbit_near(StroboscopicMap& map, const Recurrence& trajecto
 // Decides whether a trajectory converges to an orbit. Over one period, the deviation e0 from the orbit becomes
 // e1; where e1 - J e0 is small compared with the contraction by J, in a norm in which J contracts, the distance
 // keeps shrinking.
+//
+// With complex multipliers the deviation turns while it shrinks, and slowly if they are close to the unit
+// circle: it may yet reach a contact that the trajectory has missed so far. To first order, the deviations from
+// which the next period has the orbit's contacts are a convex set, with the orbit in it. All later deviations
+// lie in the hull of the orbit and of those already followed, e0, ..., e(n-1), once en does.
 class ConvergenceTest {
   public:
     enum class Standing { open, proved, refuted };
@@ -71,13 +78,17 @@ class ConvergenceTest {
     double at_rest_;  // below this distance the remainder is rounding, and both points lie on one smooth branch
     Point error_;
     int in_a_row_ = 0;
+    std::vector<Point, ReusingAllocator<Point>> followed_from_;  // deviations, of the periods in a row
     int failures_ = 0;
     std::int64_t followed_ = 0;  // cycles of the present period
     EventPattern pattern_ = 0;   // of these
 };
 
-// The result of the test after the trajectory's last two periods.
-[[nodiscard]] ConvergenceTest::Standing standing_of(const Recurrence& trajectory, const PeriodicOrbit& orbit,
-                                                    double noise);
+// The test after the trajectory's last periods, begun anew where it was refuted, and what the last one showed.
+struct TestOfPast {
+    ConvergenceTest test;
+    ConvergenceTest::Standing standing = ConvergenceTest::Standing::open;
+};
+[[nodiscard]] TestOfPast test_of_past(const Recurrence& trajectory, const PeriodicOrbit& orbit, double noise);
 
 }  // namespace peterka::regime

@@ -44,6 +44,10 @@ class Recurrence {
         marks_.add(cycle.pattern);
     }
 
+    // How many periods of q cycles are kept with the state before them.
+    [[nodiscard]] std::int64_t whole_periods(std::int64_t q) const {
+        return (static_cast<std::int64_t>(states_.size()) - 1) / q;
+    }
     // The state at the end of the last cycle, or q cycles before.
     [[nodiscard]] const Point& state(std::int64_t q = 0) const { return states_[place(recorded_ - q)]; }
     // Pattern of q consecutive cycles, of which the last ended `ago` cycles ago.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "regime/chaos_claim.hpp"
@@ -142,22 +143,20 @@ class Search {
         if (known_ == nullptr || was_near_in_vain_) return nullptr;
         const auto near = known_->orbit_near(recurrence_.state(), q);
         if (!near) return nullptr;
-        if (standing_of(recurrence_, near->orbit, map_.noise()) == ConvergenceTest::Standing::proved)
-            return near->attractor;
-        go_on_testing(near->orbit, near->attractor);
+        TestOfPast past = test_of_past(recurrence_, near->orbit, map_.noise());
+        if (past.standing == ConvergenceTest::Standing::proved) return near->attractor;
+        test_ = std::move(past.test);
+        converges_to_ = near->attractor;
         return nullptr;
-    }
-    void go_on_testing(const PeriodicOrbit& orbit, const CellResult* known) {
-        test_.emplace(orbit, trajectory_.state(), map_.noise());
-        converges_to_ = known;
     }
 
     // The cycles already followed may be proof enough.
     Task<std::optional<CellResult>> converged(std::optional<PeriodicOrbit> orbit) {
         if (!orbit) co_return std::nullopt;
-        if (standing_of(recurrence_, *orbit, map_.noise()) == ConvergenceTest::Standing::proved)
-            co_return co_await periodic(std::move(*orbit));
-        go_on_testing(*orbit, nullptr);
+        TestOfPast past = test_of_past(recurrence_, *orbit, map_.noise());
+        if (past.standing == ConvergenceTest::Standing::proved) co_return co_await periodic(std::move(*orbit));
+        test_ = std::move(past.test);
+        converges_to_ = nullptr;
         co_return std::nullopt;
     }
     // Whether the trajectory is proved to converge to the orbit found.

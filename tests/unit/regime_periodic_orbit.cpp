@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "certificate/certify.hpp"
+#include "certified_cells.hpp"
 #include "regime/scalar_engine.hpp"
 #include "rig.hpp"
 
@@ -77,6 +80,64 @@ TEST(FindOrbit, ALongOrbitIsTheSameFromEveryStart) {
         EXPECT_NEAR(cell.peak_force * force_ratio, 51.9885631765, 2e-8);
         EXPECT_NEAR(cell.multiplier, 0.8500762, 1e-6);
     }
+}
+
+// A deviation that turns by 80 degrees a period and hardly shrinks; a contact is missed where it points
+// downwards by more than `room`.
+struct Spiral {
+    explicit Spiral(double contraction) {
+        const double angle = 80 * std::numbers::pi / 180;
+        orbit.points = {Point(1, 0)};
+        orbit.jacobian << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+        orbit.jacobian *= contraction;
+        orbit.multiplier = contraction;
+    }
+    // What a test tells of a trajectory, and after how many periods.
+    [[nodiscard]] std::pair<ConvergenceTest::Standing, int> follow(double room) const {
+        Point deviation(0.01, 0);
+        ConvergenceTest test(orbit, orbit.point() + deviation, 0);
+        for (int periods = 1;; ++periods) {
+            const EventPattern pattern = deviation[1] < -room ? 1 : 0;
+            deviation = orbit.jacobian * deviation;
+            const auto standing = test.advance(orbit.point() + deviation, pattern);
+            if (standing != ConvergenceTest::Standing::open) return {standing, periods};
+        }
+    }
+    PeriodicOrbit orbit;
+};
+
+TEST(ConvergenceTest, ADeviationThatTurnsIsFollowedAllAround) {
+    const Spiral slow(0.995);
+    const auto [missed, early] = slow.follow(0.005);  // the fourth deviation points there
+    EXPECT_EQ(missed, ConvergenceTest::Standing::refuted);
+    EXPECT_EQ(early, 4);
+    const auto [proved, later] = slow.follow(0.02);
+    EXPECT_EQ(proved, ConvergenceTest::Standing::proved);
+    EXPECT_GT(later, 4);  // a turn is four and a half periods
+    EXPECT_LT(later, 20);
+    const Spiral fast(0.1);
+    EXPECT_LT(fast.follow(0.02).second, 9);  // rests before
+    Spiral straight(0.995);
+    straight.orbit.jacobian = Eigen::Vector2d(0.995, 0.1).asDiagonal();
+    EXPECT_EQ(straight.follow(0.02), std::pair(ConvergenceTest::Standing::proved, 2));
+}
+
+// With its cubic spring, however weak, the free hammer's decaying swing looks settled after ten cycles; it
+// reaches the stop two cycles later. 2/3 and the way to it are proved in interval arithmetic, too.
+TEST(ConvergenceTest, ASwingThatYetReachesTheStopIsNotTakenForFree) {
+    job::CellNumbers numbers = testing::numbers_170mm(4.331578947368421, 1.1578947368421053);
+    numbers.hammer.cubic_stiffness_n_per_m3 = 238.23;
+    scene::Oscillator<double> oscillator =
+        testing::paper_rig(testing::beam_170mm, 4.331578947368421, 1.1578947368421053);
+    oscillator.cubic = testing::paper_cubic;
+    const CellResult result = testing::solve(oscillator);
+    EXPECT_EQ(result.regime, Regime::periodic);
+    EXPECT_EQ(result.impacts, 2);
+    EXPECT_EQ(result.period, 3);
+    const certificate::Claim claim{
+        result.regime, {result.impacts, result.period, result.orbit_displacement, result.orbit_velocity}};
+    EXPECT_EQ(certificate::certify(numbers, claim, certificate::OfStart::through_impacts).verdict,
+              cell::Certified::start);
 }
 
 }  // namespace
