@@ -19,11 +19,9 @@ packages=(g++ cmake ninja-build git
 tests=OFF
 has_option --program || { tests=ON packages+=(libgtest-dev python3-netcdf4 python3-pip python3-pytest python3-setuptools); }
 
-# Arb, with which tests compare, is part of FLINT from Debian 13 on.
-if ! has_option --program; then
-    release=$(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}")
-    if [ "$release" = 12 ]; then packages+=(libflint-arb-dev); else packages+=(libflint-dev); fi
-fi
+# Arb is part of FLINT from Debian 13 on.
+release=$(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}")
+if [ "$release" = 12 ]; then packages+=(libflint-arb-dev); else packages+=(libflint-dev); fi
 
 missing=()
 for package in "${packages[@]}"; do

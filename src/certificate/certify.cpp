@@ -30,19 +30,38 @@ Interval largest_impact_speed(const Places& places) {
 struct Case {
     Springs<Interval> springs;
     Springs<double> approximate;
-    EnclosedStart start;
+    EnclosedStart<Interval> start;
     OfStart of_start;
+    const job::CellNumbers* numbers;
+    std::optional<Springs<Ball>> fine = {};
 
-    [[nodiscard]] StartWay way() const {
-        // A start on the surface is distinguished from one next to it only if both numbers are exact.
-        const Rig& rig = springs.rig;
-        const bool touches = rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo &&
-                             start.displacement.hi == rig.gap.hi;
-        return {springs,
-                approximate,
-                {touches ? Interval(0) : start.displacement - rig.gap, start.velocity - rig.frequency}};
+    // Whether a motion from the start is proved to lead where leads(way) says, in doubles or, if requested, in
+    // many digits.
+    template <class Leads>
+    [[nodiscard]] bool start_leads(Leads leads) {
+        if (of_start == OfStart::if_it_keeps_its_phase) return false;
+        return leads(way()) || (of_start == OfStart::in_many_digits && has_fine_springs() && leads(fine_way()));
     }
-    [[nodiscard]] bool follows_impacts() const { return of_start == OfStart::through_impacts; }
+    [[nodiscard]] StartWay way() const { return {springs, approximate, from(start, springs.rig)}; }
+
+  private:
+    // False where rounding chose another direction of the surface of releases, kappa and chi being next to
+    // equal.
+    [[nodiscard]] bool has_fine_springs() {
+        if (!fine) fine.emplace(*rig_of<Ball>(*numbers));
+        return fine->release.velocity.positive() == springs.release.velocity.positive();
+    }
+    [[nodiscard]] StartWay fine_way() const {
+        return {SpringsOf{&springs, &approximate, &*fine}, from(start_of<Ball>(*numbers), fine->rig)};
+    }
+    // A start on the surface is distinguished from one next to it only if both numbers are exact.
+    template <class Number>
+    [[nodiscard]] Vector<Number> from(const EnclosedStart<Number>& begin, const RigOf<Number>& rig) const {
+        const bool touches = springs.rig.gap.lo == springs.rig.gap.hi &&
+                             start.displacement.lo == springs.rig.gap.lo &&
+                             start.displacement.hi == springs.rig.gap.hi;
+        return {touches ? Number(0) : begin.displacement - rig.gap, begin.velocity - rig.frequency};
+    }
 };
 
 // An orbit that comes to rest on a rigid stop (chatter.hpp).
@@ -60,7 +79,7 @@ Certificate certify_chatter(Case& it, const StroboscopicOrbit& orbit) {
     const std::optional<double> later_speed = comes_to_rest(springs, *chain, *places);
     if (!later_speed) return refused(Certified::near_grazing);
     if (impacts_with_chatter(springs, *chain, *places) != orbit.impacts) return refused(Certified::other_label);
-    const bool from_start = it.follows_impacts() && leads_to_rest(it.way());
+    const bool from_start = it.start_leads(leads_to_rest);
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .impact_speed = larger(largest_impact_speed(*places), Interval(0, *later_speed)),
             .stability_margin = 1};
@@ -68,11 +87,11 @@ Certificate certify_chatter(Case& it, const StroboscopicOrbit& orbit) {
 
 // Whether the start of a proved orbit's cell is proved to lead to it.
 bool start_leads_to(Case& it, const EventChain& chain, const Places& places) {
-    if (!it.follows_impacts()) return false;
+    if (it.of_start == OfStart::if_it_keeps_its_phase) return false;
     if (it.springs.rig.rigid && find_lift_off(it.springs))
         it.approximate.lift_off = it.springs.lift_off.middle();
     const std::optional<Trap> trap = find_trap(it.springs, it.approximate, chain, places);
-    return trap && leads_to_orbit(it.way(), *trap);
+    return trap && it.start_leads([&](const StartWay& way) { return leads_to_orbit(way, *trap); });
 }
 
 Certificate certify_orbit(Case& it, const StroboscopicOrbit& orbit) {
@@ -102,14 +121,14 @@ Certificate certify_orbit(Case& it, const StroboscopicOrbit& orbit) {
     return certificate;
 }
 
-Certificate certify_steady(const Case& it, bool presses) {
+Certificate certify_steady(Case& it, bool presses) {
     const Springs<Interval>& springs = it.springs;
     const std::optional<SteadyMotion> motion = steady_motion(springs, presses);
     if (!motion) return refused(Certified::near_grazing);
     if (!(motion->margin > 0)) return refused(Certified::not_surely_stable);
-    const StartWay way = it.way();
-    const bool from_start = keeps_to_phase(springs, presses, *motion, way.leg(presses), std::nullopt) ||
-                            (it.follows_impacts() && leads_to_steady(springs, way, presses, *motion));
+    const bool from_start =
+        keeps_to_phase(springs, presses, *motion, it.way().leg(presses), std::nullopt) ||
+        it.start_leads([&](const StartWay& way) { return leads_to_steady(springs, way, presses, *motion); });
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .force_ratio = motion->force,
             .impact_speed = springs.rig.rigid ? Interval(0) : nothing(),
@@ -127,7 +146,7 @@ Certificate certify(const job::CellNumbers& numbers, const Claim& claim, OfStart
     if (!has_theorem(claim.regime)) return {};
     const std::optional<Rig> rig = rig_of(numbers);
     if (!rig) return refused(Certified::other_stop);
-    Case it{Springs<Interval>(*rig), Springs<double>(middle(*rig)), start_of(numbers), of_start};
+    Case it{Springs<Interval>(*rig), Springs<double>(middle(*rig)), start_of(numbers), of_start, &numbers};
     if (it.springs.flight.is_too_bent()) return refused(Certified::cubic_spring);
     Certificate certificate = claim.regime == cell::Regime::periodic
                                   ? certify_orbit(it, claim.orbit)

@@ -29,10 +29,11 @@ struct Certificate {
     [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
 };
 
-enum class OfStart { if_it_keeps_its_phase, through_impacts };
+enum class OfStart { if_it_keeps_its_phase, through_impacts, in_many_digits };
 
 // `of_start`: how far the motion from the cell's start is followed, in order to prove that it leads there: up
-// to its first impact or release, or through all of them (start_way.hpp).
+// to its first impact or release, or through all of them (start_way.hpp), with many digits where doubles lose
+// the way.
 [[nodiscard]] Certificate certify(const job::CellNumbers& numbers, const Claim& claim,
                                   OfStart of_start = OfStart::if_it_keeps_its_phase);
 

@@ -1,4 +1,4 @@
-// A motion with a cubic spring, by Taylor series of order 20 in steps (Moore, Interval Analysis, 1966).
+// A motion with a cubic spring, by Taylor series in steps (Moore, Interval Analysis, 1966).
 //
 // Each step expands one motion, from a point, with Lagrange's remainder, whose coefficient is taken over a box
 // that contains the motion during the step (reach.hpp). All other motions of the set stay within a ball around
@@ -47,10 +47,23 @@ inline Interval span_of(const Interval& angle, double more) {
     return angle + Interval(0, more);
 }
 
+// The coefficient n of a product of series.
+template <class Number, std::size_t terms>
+Number coefficient_of_product(const std::array<Number, terms>& a, const std::array<Number, terms>& b,
+                              std::size_t n) {
+    Number sum(0);
+    for (std::size_t i = 0; i <= n; ++i) sum = sum + a[i] * b[n - i];
+    return sum;
+}
+
+// More digits need more terms.
+template <class Number>
+inline constexpr std::size_t taylor_order = 20;
+
 template <class Number>
 class Course {
   public:
-    static constexpr std::size_t order = 20;
+    static constexpr std::size_t order = taylor_order<Number>;
     using Series = std::array<Number, order + 2>;
 
     Course(const Phase<Number>& phase, const Number& time, const Vector<Number>& start)
@@ -107,7 +120,8 @@ class Course {
     [[nodiscard]] double spread(const Vector<Number>& state, const Vector<Number>& center) const {
         const double v = spread_of(state.velocity, center.velocity);
         const double x = spread_of(state.position, center.position);
-        return std::sqrt(v * v + size_of(phase_->stiffness()) * x * x) * above;
+        return std::hypot(v, std::sqrt(size_of(phase_->stiffness())) * x) *
+               above;  // squares could be too small
     }
     [[nodiscard]] double growth(const Step& step, double time) const {
         const double exponent = step.slope * time / (2 * phase_->root_of_stiffness());
@@ -143,19 +157,14 @@ class Course {
         y[0] = angle.sine;
         y[1] = phase_->frequency() * angle.cosine;
         const bool absolute = phase_->absolute();
-        const auto coefficient = [](const Series& a, const Series& b, std::size_t n) {
-            Number sum(0);
-            for (std::size_t i = 0; i <= n; ++i) sum = sum + a[i] * b[n - i];
-            return sum;
-        };
         for (std::size_t n = 0; n + 2 < x.size(); ++n) {
             u[n] = n == 0 ? x[0] + phase_->gap() : x[n];
             if (absolute) u[n] = u[n] + y[n];
-            u2[n] = coefficient(u, u, n);
-            Number cube = coefficient(u2, u, n);
+            u2[n] = coefficient_of_product(u, u, n);
+            Number cube = coefficient_of_product(u2, u, n);
             if (absolute) {
-                y2[n] = coefficient(y, y, n);
-                cube = cube - coefficient(y2, y, n);
+                y2[n] = coefficient_of_product(y, y, n);
+                cube = cube - coefficient_of_product(y2, y, n);
             }
             const auto k = static_cast<double>(n);
             Number force = phase_->drive() * y[n] - phase_->damping() * Number(k + 1) * x[n + 1] -

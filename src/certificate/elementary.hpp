@@ -13,6 +13,13 @@ namespace peterka::certificate {
 inline constexpr Interval pi{0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};
 
 template <class Number>
+struct Constants;
+template <>
+struct Constants<Interval> {
+    static Interval pi() { return certificate::pi; }
+};
+
+template <class Number>
 struct SineCosineOf {
     Number sine;
     Number cosine;

@@ -58,7 +58,7 @@ bool March::step(double until, bool on_surface) {
     const double end = offset_ + std::min({0.999 * cap_, wanted, until - offset_});
     const double time = (Interval(end) - Interval(offset_)).hi;
     if (!(end > offset_) || !(time <= cap_)) return false;
-    const Interval by_slope = watched.slope * time + Interval(bend) * square(time) / Interval(2);
+    const Interval by_slope = watched.slope * time + Interval(bend) * square(Interval(time)) / Interval(2);
     const bool begins_below = on_surface ? watched.slope.negative() : watched.value.negative();
     // Convex in the step: negative at both ends, hence also in between.
     if (!begins_below || !(watched.value + by_slope).negative()) return false;

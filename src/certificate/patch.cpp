@@ -9,11 +9,6 @@ namespace {
 
 constexpr int most_tries = 6;
 
-template <class Number>
-Matrix<Number> columns(const Vector<Number>& first, const Vector<Number>& second) {
-    return {first.position, second.position, first.velocity, second.velocity};
-}
-
 Vector<Interval> as_vector(const Place<Interval>& place) {
     return {place.time, place.along};
 }
@@ -36,17 +31,6 @@ Place<Interval> widened(const Place<Interval>& place) {
         return around(x.middle(), 1.5 * x.radius() + 1e-16 * x.size() + 1e-300);
     };
     return {wide(place.time), wide(place.along)};
-}
-
-// Columns of a rotation: the first along the longer of two directions.
-Matrix<Interval> frame_along(const Matrix<Interval>& directions, const Vector<Interval>& spread) {
-    const double first = std::hypot(directions.a.middle(), directions.c.middle()) * spread.position.size();
-    const double second = std::hypot(directions.b.middle(), directions.d.middle()) * spread.velocity.size();
-    const double x = first >= second ? directions.a.middle() : directions.b.middle();
-    const double y = first >= second ? directions.c.middle() : directions.d.middle();
-    const double length = std::hypot(x, y);
-    if (!(length > 0)) return {};
-    return {x / length, -y / length, y / length, x / length};
 }
 
 struct Ends {
@@ -104,6 +88,16 @@ Place<Interval> expected_ends(const Springs<double>& springs, const EventChain& 
 Place<Interval> Patch::hull() const {
     const Vector<Interval> around = frame * spread;
     return {Interval(event.time) + around.position, Interval(event.along) + around.velocity};
+}
+
+Matrix<Interval> frame_along(const Matrix<Interval>& directions, const Vector<Interval>& spread) {
+    const double first = std::hypot(directions.a.middle(), directions.c.middle()) * spread.position.size();
+    const double second = std::hypot(directions.b.middle(), directions.d.middle()) * spread.velocity.size();
+    const double x = first >= second ? directions.a.middle() : directions.b.middle();
+    const double y = first >= second ? directions.c.middle() : directions.d.middle();
+    const double length = std::hypot(x, y);
+    if (!(length > 0)) return {};
+    return {x / length, -y / length, y / length, x / length};
 }
 
 Patch patch_of(EventKind kind, const Place<Interval>& place) {

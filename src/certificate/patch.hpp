@@ -22,6 +22,9 @@ struct Patch {
     [[nodiscard]] Place<Interval> hull() const;
 };
 
+// Columns of a rotation: the first along the longer of two directions, the columns times R's sizes.
+[[nodiscard]] Matrix<Interval> frame_along(const Matrix<Interval>& directions, const Vector<Interval>& spread);
+
 // A set that consists of an enclosed place alone.
 [[nodiscard]] Patch patch_of(EventKind kind, const Place<Interval>& place);
 

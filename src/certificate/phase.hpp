@@ -39,6 +39,10 @@ Matrix<Number> operator*(const Matrix<Number>& m, const Matrix<Number>& n) {
     return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c, m.c * n.b + m.d * n.d};
 }
 template <class Number>
+Matrix<Number> columns(const Vector<Number>& first, const Vector<Number>& second) {
+    return {first.position, second.position, first.velocity, second.velocity};
+}
+template <class Number>
 Matrix<Number> inverse(const Matrix<Number>& m) {
     const Number determinant = m.a * m.d - m.b * m.c;
     return {m.d / determinant, -(m.b / determinant), -(m.c / determinant), m.a / determinant};
@@ -75,6 +79,11 @@ inline double plus_minus(double /*bound*/, double /*like*/) {
 }
 inline Interval plus_minus(double bound, const Interval& /*like*/) {
     return {-bound, bound};
+}
+// Whether 9 terms of the sines' power series are as good as the number type.
+template <class Number>
+bool is_small(const Number& x) {
+    return size_of(x) < 0.5;
 }
 
 template <class Number>
@@ -166,7 +175,7 @@ class Phase {
         const Number turn = discriminant_ * time * time;
         Number swing;      // exp(-c t/2) cos(rate t), or cosh
         Number sine_like;  // exp(-c t/2) sin(rate t)/rate, or sinh
-        if (size_of(turn) < 0.5) {
+        if (is_small(turn)) {
             const Number decay = exp(-(half_ * time));
             swing = decay * even_series(turn);
             sine_like = decay * time * odd_series(turn);

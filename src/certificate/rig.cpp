@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "certificate/ball.hpp"
 #include "certificate/elementary.hpp"
 
 namespace peterka::certificate {
@@ -9,14 +10,16 @@ namespace {
 
 constexpr Interval standard_gravity{0x1.39d013a92a305p+3, 0x1.39d013a92a306p+3};  // 9.80665 m/s^2
 
-Interval omega_of(const job::Hammer& hammer) {  // [rad/s]
-    if (hammer.natural_frequency_hz) return Interval(2) * pi * *hammer.natural_frequency_hz;
-    return sqrt(Interval(hammer.stiffness_n_per_m.value()) / hammer.mass_kg);
+template <class Number>
+Number omega_of(const job::Hammer& hammer) {  // [rad/s]
+    if (hammer.natural_frequency_hz) return Number(2) * Constants<Number>::pi() * *hammer.natural_frequency_hz;
+    return sqrt(Number(hammer.stiffness_n_per_m.value()) / hammer.mass_kg);
 }
 
-Interval stiffness_of(const job::Hammer& hammer) {  // k [N/m]
+template <class Number>
+Number stiffness_of(const job::Hammer& hammer) {  // k [N/m]
     if (hammer.stiffness_n_per_m) return *hammer.stiffness_n_per_m;
-    return Interval(hammer.mass_kg) * square(omega_of(hammer));
+    return Number(hammer.mass_kg) * square(omega_of<Number>(hammer));
 }
 
 }  // namespace
@@ -28,56 +31,64 @@ RigOf<double> middle(const Rig& rig) {
             rig.restitution.middle()};
 }
 
-std::optional<Rig> rig_of(const job::CellNumbers& numbers) {
+template <class Number>
+std::optional<RigOf<Number>> rig_of(const job::CellNumbers& numbers) {
     const auto* stop = std::get_if<job::KelvinVoigt>(&numbers.contact);
     const auto* rigid = std::get_if<job::Restitution>(&numbers.contact);
     if (stop == nullptr && rigid == nullptr) return std::nullopt;
     const job::Hammer& hammer = numbers.hammer;
-    const Interval omega = omega_of(hammer);
-    const Interval impedance = Interval(hammer.mass_kg) * omega;  // m omega [Ns/m]
-    Rig rig;
+    const Number omega = omega_of<Number>(hammer);
+    const Number impedance = Number(hammer.mass_kg) * omega;  // m omega [Ns/m]
+    RigOf<Number> rig;
     rig.damping_ratio = hammer.damping_ratio
-                            ? Interval(*hammer.damping_ratio)
-                            : Interval(hammer.damping_ns_per_m.value()) / (Interval(2) * impedance);
+                            ? Number(*hammer.damping_ratio)
+                            : Number(hammer.damping_ns_per_m.value()) / (Number(2) * impedance);
     if (stop != nullptr) {
-        rig.stiffness = Interval(stop->stiffness_n_per_m) / stiffness_of(hammer);
-        rig.damping = Interval(stop->damping_ns_per_m) / impedance;
+        rig.stiffness = Number(stop->stiffness_n_per_m) / stiffness_of<Number>(hammer);
+        rig.damping = Number(stop->damping_ns_per_m) / impedance;
     } else {
         rig.rigid = true;
         rig.restitution = rigid->coefficient;
     }
-    rig.frequency = numbers.place.frequency_hz ? Interval(2) * pi * *numbers.place.frequency_hz / omega
-                                               : Interval(numbers.place.frequency_ratio);
-    rig.gap = numbers.place.gap_m ? Interval(*numbers.place.gap_m) / numbers.cart.amplitude_m
-                                  : Interval(numbers.place.gap_ratio);
-    rig.period = Interval(2) * pi / rig.frequency;
+    rig.frequency = numbers.place.frequency_hz
+                        ? Number(2) * Constants<Number>::pi() * *numbers.place.frequency_hz / omega
+                        : Number(numbers.place.frequency_ratio);
+    rig.gap = numbers.place.gap_m ? Number(*numbers.place.gap_m) / numbers.cart.amplitude_m
+                                  : Number(numbers.place.gap_ratio);
+    rig.period = Number(2) * Constants<Number>::pi() / rig.frequency;
     if (hammer.cubic_stiffness_n_per_m3 != 0) {
-        rig.cubic =
-            square(Interval(numbers.cart.amplitude_m)) * hammer.cubic_stiffness_n_per_m3 / stiffness_of(hammer);
+        rig.cubic = square(Number(numbers.cart.amplitude_m)) * hammer.cubic_stiffness_n_per_m3 /
+                    stiffness_of<Number>(hammer);
         rig.absolute = hammer.cubic == job::CubicForm::absolute;
     }
     return rig;
 }
 
-EnclosedStart start_of(const job::CellNumbers& numbers) {
+template <class Number>
+EnclosedStart<Number> start_of(const job::CellNumbers& numbers) {
     const job::Start& start = numbers.start;
-    const Interval amplitude(numbers.cart.amplitude_m);
-    return {
-        start.displacement_m ? Interval(*start.displacement_m) / amplitude : Interval(start.displacement_ratio),
-        start.velocity_m_per_s ? Interval(*start.velocity_m_per_s) / (amplitude * omega_of(numbers.hammer))
-                               : Interval(start.velocity_ratio)};
+    const Number amplitude(numbers.cart.amplitude_m);
+    return {start.displacement_m ? Number(*start.displacement_m) / amplitude : Number(start.displacement_ratio),
+            start.velocity_m_per_s
+                ? Number(*start.velocity_m_per_s) / (amplitude * omega_of<Number>(numbers.hammer))
+                : Number(start.velocity_ratio)};
 }
 
+template std::optional<Rig> rig_of(const job::CellNumbers&);
+template std::optional<RigOf<Ball>> rig_of(const job::CellNumbers&);
+template EnclosedStart<Interval> start_of(const job::CellNumbers&);
+template EnclosedStart<Ball> start_of(const job::CellNumbers&);
+
 Interval force_ratio(const job::CellNumbers& numbers) {
-    return square(omega_of(numbers.hammer)) * numbers.cart.amplitude_m / standard_gravity;
+    return square(omega_of<Interval>(numbers.hammer)) * numbers.cart.amplitude_m / standard_gravity;
 }
 
 Interval speed_unit(const job::CellNumbers& numbers) {
-    return omega_of(numbers.hammer) * numbers.cart.amplitude_m;
+    return omega_of<Interval>(numbers.hammer) * numbers.cart.amplitude_m;
 }
 
 Interval natural_frequency_hz(const job::CellNumbers& numbers) {
-    return omega_of(numbers.hammer) / (Interval(2) * pi);
+    return omega_of<Interval>(numbers.hammer) / (Interval(2) * pi);
 }
 
 }  // namespace peterka::certificate

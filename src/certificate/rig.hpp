@@ -27,15 +27,18 @@ using Rig = RigOf<Interval>;
 // Numbers within the enclosures, for a search that proves nothing.
 [[nodiscard]] RigOf<double> middle(const Rig& rig);
 
-// The rig of a spring-dashpot or a rigid stop; nothing for any other law.
-[[nodiscard]] std::optional<Rig> rig_of(const job::CellNumbers& numbers);
+// The rig of a spring-dashpot or a rigid stop; nothing for any other law. Number: Interval or Ball (ball.hpp).
+template <class Number = Interval>
+[[nodiscard]] std::optional<RigOf<Number>> rig_of(const job::CellNumbers& numbers);
 
 // The hammer's start, x(0)/A0 and x'(0)/(A0 omega), absolute.
+template <class Number>
 struct EnclosedStart {
-    Interval displacement;
-    Interval velocity;
+    Number displacement;
+    Number velocity;
 };
-[[nodiscard]] EnclosedStart start_of(const job::CellNumbers& numbers);
+template <class Number = Interval>
+[[nodiscard]] EnclosedStart<Number> start_of(const job::CellNumbers& numbers);
 
 // The factors from F/(k A0) to F/(m g0), omega^2 A0/g0, and from A0 omega to m/s.
 [[nodiscard]] Interval force_ratio(const job::CellNumbers& numbers);

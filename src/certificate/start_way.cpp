@@ -45,6 +45,23 @@ StartWay::StartWay(const Springs<Interval>& springs, const Springs<double>& appr
       start_(start),
       presses_(!springs.rig.rigid && start.position.positive() && springs.force(start).positive()) {}
 
+StartWay::StartWay(const SpringsOf& springs, const Vector<Ball>& start)
+    : StartWay(*springs.enclosed, *springs.approximate, {start.position.hull(), start.velocity.hull()}) {
+    fine_springs_ = springs.fine;
+    fine_start_ = start;
+}
+
+std::optional<Patch> StartWay::next_at(const Event& next) {
+    if (fine_springs_ != nullptr) {
+        const SpringsOf springs{springs_, approximate_, fine_springs_};
+        fine_ = fine_ ? pass(springs, *fine_, next) : pass_from_start(springs, presses_, fine_start_, next);
+        return fine_ ? std::optional(fine_->coarse()) : std::nullopt;
+    }
+    if (!at_) return pass_from_start(*springs_, presses_, start_, next);
+    const std::optional<Passage> passage = pass(*springs_, *approximate_, *at_, next);
+    return passage ? std::optional(passage->end) : std::nullopt;
+}
+
 StartWay::Step StartWay::go_on(double near) {
     const double period = approximate_->rig.period;
     Walk walk = at_ ? Walk::after(*approximate_, at_->event)
@@ -53,12 +70,7 @@ StartWay::Step StartWay::go_on(double near) {
     if (walk.go_on(walk.time() + cycles_without_event * period, next) != Walk::End::event)
         return Step::no_event;
     sort_around(next, near, period);
-    if (!at_) {
-        at_ = pass_from_start(*springs_, presses_, start_, next);
-    } else {
-        const std::optional<Passage> passage = pass(*springs_, *approximate_, *at_, next);
-        at_ = passage ? std::optional(passage->end) : std::nullopt;
-    }
+    at_ = next_at(next);
     if (!at_) return Step::lost;
     if (springs_->lift_off.positive()) rest_if_proved();
     return Step::proved;
@@ -70,8 +82,9 @@ void StartWay::rest_if_proved() {
     const double period = approximate_->rig.period;
     const double cycles = std::ceil((impact.time.hi - approximate_->lift_off) / period);
     const Interval left = springs_->lift_off + Interval(cycles) * springs_->rig.period - impact.time;
-    if (speed_before_rest(*springs_, impact, left))
-        at_ = patch_of(EventKind::lift_off, {springs_->lift_off, Interval(0)});
+    if (!speed_before_rest(*springs_, impact, left)) return;
+    at_ = patch_of(EventKind::lift_off, {springs_->lift_off, Interval(0)});
+    if (fine_) fine_ = fine_patch_of(*at_);
 }
 
 Leg<Interval> StartWay::leg(bool presses) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "certificate/chatter.hpp"
+#include "certificate/fine_patch.hpp"
 #include "certificate/steady_motion.hpp"
 #include "certificate/trap.hpp"
 
@@ -13,6 +14,8 @@ class StartWay {
   public:
     StartWay(const Springs<Interval>& springs, const Springs<double>& approximate,
              const Vector<Interval>& start);
+    // In many digits (fine_patch.hpp).
+    StartWay(const SpringsOf& springs, const Vector<Ball>& start);
 
     enum class Step {
         proved,   // up to the next event
@@ -27,6 +30,7 @@ class StartWay {
     [[nodiscard]] Leg<Interval> leg(bool presses) const;
 
   private:
+    [[nodiscard]] std::optional<Patch> next_at(const Event& next);
     void rest_if_proved();
 
     const Springs<Interval>* springs_;
@@ -34,6 +38,9 @@ class StartWay {
     Vector<Interval> start_;
     bool presses_;
     std::optional<Patch> at_;
+    const Springs<Ball>* fine_springs_ = nullptr;
+    Vector<Ball> fine_start_;
+    std::optional<FinePatch> fine_;  // within at_
 };
 
 // Whether the motion from a state at time 0 is proved to end in a trap; at rest on a rigid stop, from where all

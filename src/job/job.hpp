@@ -177,9 +177,10 @@ inline constexpr std::int64_t every_cell = std::numeric_limits<std::int64_t>::ma
 // How much of a map, basin, sweep or of the places where curves have given gaps is to be proved in interval
 // arithmetic.
 struct Certificate {
-    std::int64_t cells = 0;   // number tried, sampled from all; every_cell: all
-    bool starts = false;      // also that [start] leads there, through all impacts
-    bool attractors = false;  // also each attractor of a cell that has [starts]
+    std::int64_t cells = 0;    // number tried, sampled from all; every_cell: all
+    bool starts = false;       // also that [start] leads there, through all impacts
+    bool many_digits = false;  // of starts: also where doubles lose the way
+    bool attractors = false;   // also each attractor of a cell that has [starts]
     friend bool operator==(const Certificate&, const Certificate&) = default;
 };
 

@@ -135,6 +135,12 @@ std::string rule_of_noise(const Noise& noise) {
            "noise.amplitude_relative or noise.frequency_relative, or remove this table";
 }
 
+std::string rule_of_proved_starts(const Job& job) {
+    if (!job.certificate.many_digits || job.certificate.starts) return {};
+    return "certificate.many_digits = true, and no start is followed; its digits are for the way from a start; "
+           "set certificate.starts = true, or remove this key";
+}
+
 std::string rule_of_proved_attractors(const Job& job) {
     if (!job.certificate.attractors) return {};
     if (job.kind != Kind::map || job.starts.count == 0) {

@@ -37,6 +37,7 @@ namespace peterka::job {
 // For a table of noise: something must disturb.
 [[nodiscard]] std::string rule_of_noise(const Noise& noise);
 // Only a map's cells with many starts have attractors of their own.
+[[nodiscard]] std::string rule_of_proved_starts(const Job& job);
 [[nodiscard]] std::string rule_of_proved_attractors(const Job& job);
 // Elasticities: of a force, or of an impact speed on a rigid stop; of orbits with linear contacts.
 [[nodiscard]] std::string rule_of_elasticities(const Job& job);

@@ -58,6 +58,10 @@ void describe(Walker& table, Certificate& certificate) {
                 .meaning = "true: also that the start leads there, through all its impacts",
                 .is_written = certificate.starts},
                certificate.starts);
+    table.flag({.name = "many_digits",
+                .meaning = "true: starts also with 130 digits, where doubles lose the way",
+                .is_written = certificate.many_digits},
+               certificate.many_digits);
     table.flag({.name = "attractors",
                 .meaning = "true: also of each attractor on which [starts] end, or that is known besides",
                 .is_written = certificate.attractors},
@@ -125,6 +129,7 @@ void describe_settings(Walker& file, Job& job) {
     file.table({"certificate", "proof of labels and forces in interval arithmetic"},
                [&](auto& table) { describe(table, job.certificate); });
     file.rule({"certificate", "starts"}, [&] { return rule_of_proved_attractors(job); });
+    file.rule({"certificate"}, [&] { return rule_of_proved_starts(job); });
     file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
                [&](auto& table) {
                    table.integer(

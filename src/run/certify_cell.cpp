@@ -12,6 +12,11 @@ namespace {
 
 using certificate::OfStart;
 
+OfStart of_start(const job::Certificate& asked) {
+    if (!asked.starts) return OfStart::if_it_keeps_its_phase;
+    return asked.many_digits ? OfStart::in_many_digits : OfStart::through_impacts;
+}
+
 // A point of a sweep that continues from the previous one doesn't begin at [start].
 bool begins_at_start(const job::Job& job, std::int64_t row) {
     return job.kind != job::Kind::sweep || job.sweep.branch(row).direction == job::Direction::independent;
@@ -68,8 +73,7 @@ void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, ce
     const bool starts = begins_at_start(job, row);
     const job::CellNumbers numbers = job::numbers_at(job, row, column);
     const certificate::Certificate certificate = certificate::certify(
-        numbers, claim_of(result),
-        starts && job.certificate.starts ? OfStart::through_impacts : OfStart::if_it_keeps_its_phase);
+        numbers, claim_of(result), starts ? of_start(job.certificate) : OfStart::if_it_keeps_its_phase);
     put_into(certificate, result);
     if (!certificate.proved()) return;
     if (!starts) result.certified = cell::Certified::orbit;

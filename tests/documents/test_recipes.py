@@ -16,7 +16,7 @@ CMAKE = (ROOT / "CMakeLists.txt").read_text()
 INSTALL = (ROOT / "jobs" / "install" / "install.cmake").read_text()
 REPOSITORY = ROOT / "jobs" / "spack" / "spack_repo" / "peterka"
 SPACK_NAMES = {"MPI": "mpi", "HDF5": "hdf5", "SUNDIALS": "sundials", "Eigen3": "eigen", "fmt": "fmt", "CLI11": "cli11", "hwy": "highway",
-               "tomlplusplus": "tomlplusplus", "xxhash": "xxhash", "Python3": "python"}
+               "tomlplusplus": "tomlplusplus", "xxhash": "xxhash", "flint": "flint", "Python3": "python"}
 CONTAINERS = ["peterka.def", "Containerfile"]
 
 

@@ -108,6 +108,23 @@ def test_starts_are_proved_to_lead_to_the_orbits_of_their_cells(tmp_path, rigid)
     assert not np.any(cells["status"][start] == ROUNDING)
 
 
+def test_many_digits_settle_labels_that_rounding_decides(tmp_path):
+    """On the way of some of these starts errors grow by e^20 to e^60."""
+    job = (jobs.RIG.format(kind="map", title="digits") + jobs.axis("frequency_ratio", 1.85, 2.2, 8) + jobs.axis("gap_ratio", 1.4, 1.9, 8)
+           + '[certificate]\ncells = "all"\nstarts = true\nmany_digits = {}\n')
+    read_with = {}
+    for digits, ranks in (("false", 1), ("true", 2)):
+        (tmp_path / f"{digits}.toml").write_text(job.format(digits))
+        finished = launch.run("run", f"{digits}.toml", cwd=tmp_path, ranks=ranks)
+        assert finished.returncode == 0, finished.stderr
+        read_with[digits] = read(tmp_path / f"{digits}.h5")
+    doubles, digits = read_with["false"], read_with["true"]
+    changed = {name for name in doubles if not name.startswith(("summary", "tiles")) and doubles[name].tobytes() != digits[name].tobytes()}
+    assert changed == {"certified", "status"}
+    settled = (doubles["status"] == ROUNDING) & (digits["status"] == 0)
+    assert np.count_nonzero(settled) > 3 and np.all(digits["certified"][settled] == START)
+    assert np.all(doubles["certified"][settled] == ORBIT) and np.all(digits["certified"][doubles["certified"] == START] == START)
+
 def test_starts_of_a_basin_are_proved_to_lead_to_its_attractors(tmp_path):
     jobs.write(tmp_path, jobs.small_basin() + '[certificate]\ncells = "all"\nstarts = true\n')
     finished = launch.run("run", "job.toml", cwd=tmp_path)

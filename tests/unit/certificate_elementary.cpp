@@ -19,22 +19,22 @@ namespace {
 constexpr int points = 200'000;
 
 // An Arb number with 150 bits.
-class Ball {
+class Oracle {
   public:
-    Ball() { arb_init(ball_); }
-    explicit Ball(double x) : Ball() { arb_set_d(ball_, x); }
-    Ball(const Ball&) = delete;
-    Ball& operator=(const Ball&) = delete;
-    Ball(Ball&&) = delete;
-    Ball& operator=(Ball&&) = delete;
-    ~Ball() { arb_clear(ball_); }
+    Oracle() { arb_init(ball_); }
+    explicit Oracle(double x) : Oracle() { arb_set_d(ball_, x); }
+    Oracle(const Oracle&) = delete;
+    Oracle& operator=(const Oracle&) = delete;
+    Oracle(Oracle&&) = delete;
+    Oracle& operator=(Oracle&&) = delete;
+    ~Oracle() { arb_clear(ball_); }
 
     template <class Function>
     [[nodiscard]] bool lies_in(const Interval& x, Function function) const {
-        const Ball value;
+        const Oracle value;
         function(const_cast<arb_ptr>(value.ball_), ball_, 150);
-        const Ball lower(x.lo);
-        const Ball upper(x.hi);
+        const Oracle lower(x.lo);
+        const Oracle upper(x.hi);
         return arb_le(lower.ball_, value.ball_) != 0 && arb_le(value.ball_, upper.ball_) != 0;
     }
 
@@ -67,7 +67,7 @@ TEST(CertificateElementary, ExpEnclosesArbs) {
     for (int i = 0; i < points; ++i) {
         const double x = arguments();
         const Interval enclosure = exp(Interval(x));
-        ASSERT_TRUE(Ball(x).lies_in(enclosure, arb_exp)) << x;
+        ASSERT_TRUE(Oracle(x).lies_in(enclosure, arb_exp)) << x;
         ASSERT_LT(relative_width(enclosure), 3e-15) << x;
     }
 }
@@ -77,8 +77,8 @@ TEST(CertificateElementary, SineAndCosineEncloseArbs) {
     for (int i = 0; i < points; ++i) {
         const double x = arguments();
         const SineCosine enclosure = sine_cosine(Interval(x));
-        ASSERT_TRUE(Ball(x).lies_in(enclosure.sine, arb_sin)) << x;
-        ASSERT_TRUE(Ball(x).lies_in(enclosure.cosine, arb_cos)) << x;
+        ASSERT_TRUE(Oracle(x).lies_in(enclosure.sine, arb_sin)) << x;
+        ASSERT_TRUE(Oracle(x).lies_in(enclosure.cosine, arb_cos)) << x;
         ASSERT_LT(enclosure.sine.hi - enclosure.sine.lo, 2e-15) << x;
         ASSERT_LT(enclosure.cosine.hi - enclosure.cosine.lo, 2e-15) << x;
     }
@@ -90,8 +90,8 @@ TEST(CertificateElementary, SineAndCosineNearRightAngles) {
     for (int i = 0; i < points; ++i) {
         const double x = std::nearbyint(arguments()) * 1.5707963267948966;
         const SineCosine enclosure = sine_cosine(Interval(x));
-        ASSERT_TRUE(Ball(x).lies_in(enclosure.sine, arb_sin)) << x;
-        ASSERT_TRUE(Ball(x).lies_in(enclosure.cosine, arb_cos)) << x;
+        ASSERT_TRUE(Oracle(x).lies_in(enclosure.sine, arb_sin)) << x;
+        ASSERT_TRUE(Oracle(x).lies_in(enclosure.cosine, arb_cos)) << x;
     }
 }
 
@@ -103,14 +103,14 @@ TEST(CertificateElementary, IntervalsHoldTheirPoints) {
         const Interval wide = around(x, width);
         const double inside = x + (2 * arguments.share() - 1) * width;
         ASSERT_TRUE(wide.holds(inside));
-        ASSERT_TRUE(Ball(inside).lies_in(exp(wide), arb_exp)) << x;
-        ASSERT_TRUE(Ball(inside).lies_in(sine_cosine(wide).sine, arb_sin)) << x;
-        ASSERT_TRUE(Ball(inside).lies_in(sine_cosine(wide).cosine, arb_cos)) << x;
+        ASSERT_TRUE(Oracle(inside).lies_in(exp(wide), arb_exp)) << x;
+        ASSERT_TRUE(Oracle(inside).lies_in(sine_cosine(wide).sine, arb_sin)) << x;
+        ASSERT_TRUE(Oracle(inside).lies_in(sine_cosine(wide).cosine, arb_cos)) << x;
     }
 }
 
 TEST(CertificateElementary, PiIsBetweenItsBounds) {
-    EXPECT_TRUE(Ball().lies_in(pi, [](arb_t value, const arb_t, slong bits) { arb_const_pi(value, bits); }));
+    EXPECT_TRUE(Oracle().lies_in(pi, [](arb_t value, const arb_t, slong bits) { arb_const_pi(value, bits); }));
     EXPECT_EQ(pi.hi, std::nextafter(pi.lo, 4));
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 #include "certificate/certify.hpp"
 #include "certificate/find_chain.hpp"
@@ -75,7 +76,7 @@ TEST_P(StartsOf, AStartThatEndsElsewhereIsNotProvedToLeadThere) {
                 numbers.start.velocity_ratio = v;
                 if (other.cell.sensitivity > rounding_decides) continue;
                 const Certified verdict =
-                    certify(numbers, claim_of(first.cell), OfStart::through_impacts).verdict;
+                    certify(numbers, claim_of(first.cell), OfStart::in_many_digits).verdict;
                 if (verdict <= Certified::not_tried) continue;
                 if (!same_motion(first.cell, other.cell)) {
                     ++elsewhere;
@@ -257,6 +258,42 @@ TEST(StartWay, TheFirstEventIsEnclosed) {
     EXPECT_GT(way.at()->spread.position.size(), 1e-18);
     EXPECT_GT(way.at()->spread.velocity.size(), 1e-18);
     EXPECT_LT(way.at()->spread.velocity.size(), 1e-12);
+}
+
+// Many digits and doubles enclose the same motion, the former in a far smaller set.
+TEST_P(StartsOf, InManyDigitsAWayLiesWithinThatInDoubles) {
+    for (const auto& [frequency, gap, cubic] : {std::tuple(2.0, 0.5, 0.0), {3.1, 0.2, 0.0}, {2.3, 0.7, 2e4}}) {
+        job::CellNumbers numbers = testing::numbers_170mm(frequency, gap);
+        numbers.contact = GetParam().law;
+        numbers.hammer.cubic_stiffness_n_per_m3 = cubic;
+        const Rig rig = rig_of(numbers).value();
+        const Springs<Interval> springs(rig);
+        const Springs<double> approximate(middle(rig));
+        const Springs<Ball> fine(rig_of<Ball>(numbers).value());
+        StartWay way(springs, approximate, {-rig.gap, -rig.frequency});
+        StartWay fine_way({&springs, &approximate, &fine}, {-fine.rig.gap, -fine.rig.frequency});
+        int events = 0;
+        for (; events < 12; ++events) {
+            if (way.go_on(0) != StartWay::Step::proved) break;
+            ASSERT_EQ(fine_way.go_on(0), StartWay::Step::proved) << frequency;
+            ASSERT_EQ(way.at()->event.kind, fine_way.at()->event.kind);
+            const Place<Interval> coarse = way.at()->hull();
+            const Place<Interval> exact = fine_way.at()->hull();
+            EXPECT_FALSE(coarse.time.apart(exact.time)) << frequency << " event " << events;
+            EXPECT_FALSE(coarse.along.apart(exact.along)) << frequency << " event " << events;
+            EXPECT_LE(exact.time.radius(), 1e-15);  // that of neighbouring doubles
+        }
+        EXPECT_GT(events, 0);  // with r = 0 the hammer rests
+    }
+}
+
+// Errors grow by more than e^30 on this way, which leads to 6/10: so does an independent program's in 90 digits.
+TEST(StartWay, InManyDigitsLongWaysAreProved) {
+    const SolvedPlace place = testing::solved_at(2.1842105263157894, 1.6842105263157894);
+    EXPECT_GT(place.cell.sensitivity, 30);
+    const Claim claim = claim_of(place.cell);
+    EXPECT_EQ(certify(place.numbers, claim, OfStart::through_impacts).verdict, Certified::orbit);
+    EXPECT_EQ(certify(place.numbers, claim, OfStart::in_many_digits).verdict, Certified::start);
 }
 
 TEST(Trap, HoldsWhatLiesInItsDiscAlone) {

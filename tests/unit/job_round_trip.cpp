@@ -64,6 +64,7 @@ class RandomJobs {
         job.audit.cells = integer(0, 1'000'000);
         job.certificate.cells = coin() ? every_cell : integer(0, every_cell);
         job.certificate.starts = coin();
+        job.certificate.many_digits = job.certificate.starts && coin();
         job.certificate.attractors = coin();
         if (!rule_of_proved_attractors(job).empty()) job.certificate.attractors = false;
         if (coin() && (job.kind == Kind::map || job.kind == Kind::sweep)) {

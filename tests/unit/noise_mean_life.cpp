@@ -39,6 +39,24 @@ TEST(DisturbedLife, SplittingTellsTheLivesThatAreFollowed) {
     EXPECT_GT(lives.split->mean, 500);
 }
 
+// A quarter of the budget sees hardly an end: rates are products over levels, each with an error of a half.
+TEST(DisturbedLife, RareEndsAreMultipliedUpFromLevels) {
+    double rate = 0;
+    std::optional<MeanLife> followed;
+    for (const std::uint64_t seed : {1, 2}) {
+        DisturbedMap map(testing::one_in_three().oscillator, {}, white(0.0075));
+        const auto home = Home::of(map, testing::one_in_three().point, 3);
+        ASSERT_TRUE(home);
+        const auto split = mean_life(map, *home, 200'000, seed);
+        ASSERT_TRUE(split);
+        EXPECT_GT(split->error, 0.1 * split->mean);
+        EXPECT_LT(split->error, 0.8 * split->mean);
+        rate += 0.5 / split->mean;
+        if (!followed) followed = mean_life_followed(map, *home, 200'000, 3);
+    }
+    EXPECT_NEAR(std::log(rate * followed->mean), 0, std::log(2.5));
+}
+
 TEST(DisturbedLife, ShortLivesAreFollowedOneByOne) {
     const Lives lives = lives_of(testing::one_in_three(), white(0.03), 400'000, 30'000);
     expect_alike(lives);

@@ -30,6 +30,7 @@ class Peterka(CMakePackage):
     depends_on("highway")
     depends_on("tomlplusplus")
     depends_on("xxhash")
+    depends_on("flint@3:")
 
     with when("+python"):
         extends("python")
