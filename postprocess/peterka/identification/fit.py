@@ -13,10 +13,9 @@ import numpy as np
 from ..arrays import Reals
 from ..errors import PeterkaFileError
 from .adequacy import likeness_of, refuse_other_motion
-from .contact_pulse import pulse
 from .first_guess import Guess, look
 from .flights import Start, from_events, likely
-from .least_stiffness import least_stiffness
+from .flights_alone import FEWEST_IN_CONTACT, contact_samples, least_stiffness, told_by_flights
 from .numbers_found import Identified, Number, identified_from
 from .one_mode import share_of_modes, share_words
 from .problem import Leg, Problem
@@ -32,9 +31,6 @@ UNKNOWN = 0.25  # relative standard error above which a number counts as unknown
 EXPLAINED = 1.5  # sum of squares per residual, in standard deviations: above it, another minimum is looked for
 MOST_LATE = 2  # impacts
 MOST_AGAIN = 2  # initial values, the best ones
-FEWEST_IN_CONTACT = 3  # samples that tell a contact; what fewer say is a matter of the logger's filter
-BESIDE = 4.0  # steps before and after such a contact, in which the filter rings
-FLIGHT_SIGNALS = {"displacement", "acceleration"}  # a force is 0 between impacts
 LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffices
 
 
@@ -85,7 +81,9 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     found = _from_each(recording, guess, begun, samples, mass, given, starts)
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
-    found = from_flights(recording, guess, found)
+    found.sort(key=lambda one: one.cost / one.rows)
+    if contact_samples(found[0]) < FEWEST_IN_CONTACT:
+        found = told_by_flights(recording.path, found)
     best, other = likeliest(found)
     share = share_of_modes(recording, guess, begun)
     try:
@@ -135,28 +133,6 @@ def _one_after_the_other(problem: Problem, value: dict[str, float]) -> list[Solv
         if reached.cost < EXPLAINED * reached.rows:
             break
     return found
-
-
-def from_flights(recording: Recording, guess: Guess, found: Sequence[Solved]) -> list[Solved]:
-    """The same [Solved], or where contacts have fewer than FEWEST_IN_CONTACT samples, those without the samples in and beside
-    contacts: a logger's filter changes these, and touches and releases follow from the flights. Raises PeterkaFileError if none are seen."""
-    best = min(found, key=lambda one: one.cost / one.rows)
-    rig = best.problem.rig(best.value)
-    samples = pulse(rig.mass, rig.stiffness, rig.damping)[1] / recording.step
-    if samples >= FEWEST_IN_CONTACT:
-        return list(found)
-    if not FLIGHT_SIGNALS & set(guess.signs):
-        raise PeterkaFileError(f"{recording.path} is too coarse to see the contact, which lasts for about {samples:.2g} samples, and has neither "
-                          f"displacement nor acceleration, whose flights tell it, too; {FEWEST_IN_CONTACT} are needed at least")
-    without = []
-    for one in found:
-        try:
-            without.append(solved(replace(one.problem, unseen=BESIDE * recording.step), one.value))
-        except (ValueError, np.linalg.LinAlgError):
-            pass  # no convergence from here
-    if not without:
-        raise PeterkaFileError(f"{recording.path} is too coarse to see the contact, and its flights don't tell it")
-    return without
 
 
 def agreeing(found: Fit, begun: Begin, given: Mapping[str, float]) -> Fit:
@@ -226,7 +202,7 @@ def _what_is_told(fit: Fit) -> str:
     """Of a stop whose errors are too large, in words."""
     found, stiffness, ratio = fit.solved, fit.solved.error("stiffness"), fit.solved.error("stop_ratio")
     words = [f"ki = {found.problem.rig(found.value).stiffness:.3g} N/m to {100 * stiffness:.2g} %"] * (stiffness < 1)
-    least = least_stiffness(found, fit.likeness) if stiffness > UNKNOWN else None
+    least = least_stiffness(found) if stiffness > UNKNOWN and not found.problem.pushed else None
     words += [f"ki is above {least:.3g} N/m (95 %)"] if least else ["no ki is too small"] * (stiffness >= 1)
     told = f"ci/sqrt(m ki) = {2 * found.value['stop_ratio']:.3g} ± {2 * ratio:.2g}"
     if ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):

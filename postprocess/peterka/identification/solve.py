@@ -126,12 +126,10 @@ def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
         contact |= (time > begin) & (time < end)
     until = problem.known_until(moved, number)
     known, known_means = time < until, samples.ends < until
-    if problem.unseen is not None:
-        for begin, end in moved.contacts():
-            first, last = begin - problem.unseen, end + problem.unseen
-            known &= (time < first) | (time > last)
-            known_means &= (samples.ends < first) | (samples.begins > last)
-    jumps = {} if problem.blind or problem.unseen is not None else _jumps(problem, value, number, moved, places)
+    for first, last in problem.unseen:
+        known &= (time < first) | (time > last)
+        known_means &= (samples.ends < first) | (samples.begins > last)
+    jumps = {} if problem.blind or problem.unseen else _jumps(problem, value, number, moved, places)
     return Settled(touches, places, used, known, known_means, contact, jumps)
 
 

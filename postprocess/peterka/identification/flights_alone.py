@@ -1,0 +1,103 @@
+"""The stop from the flights alone, without the samples in and beside contacts.
+
+Of contacts shorter than about three samples, a logger's filter shapes what is recorded. The flights before and after tell touches and
+releases, and so the contact time, and with the restitution ki and ci. Where the flights don't tell ki, they tell its least value: a stop may
+always be too stiff for its contact time to be seen.
+
+For that ki is kept at smaller and smaller values while all else is fitted. The bound (95 %, one-sided) is the least ki at which the sum of
+squares, in standard deviations, is above its least by no more than 1.645^2: noise makes that more in one of 20 cases (Wilks, 1938).
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import PeterkaFileError
+from .contact_pulse import pulse
+from .problem import Problem
+from .solve import Solved, levels, solved
+
+FEWEST_IN_CONTACT = 2.5  # steps: shorter contacts have two samples more often than three
+BESIDE = 4.0  # steps before a touch and after a release in which a filter rings
+SEEN_IN_FLIGHT = {"displacement", "acceleration"}  # a force is 0 there
+GROWTH = 1.645**2  # of -2 ln likelihood, for 95 % on one side
+RUNG, LAST_RUNG = 0.5, 0.05  # of ln ki
+MOST_RUNGS = 24
+FAR = 25.0  # -2 ln likelihood above its least beyond which smaller ki aren't tried
+
+
+def contact_samples(found: Solved) -> float:
+    """The contact time of a rig's stop, in samples."""
+    rig = found.problem.rig(found.value)
+    return pulse(rig.mass, rig.stiffness, rig.damping)[1] / found.problem.step
+
+
+def told_by_flights(path: Path, found: Sequence[Solved]) -> list[Solved]:
+    """The same fits of a recording as one leg, the best first, of the flights alone. Raises PeterkaFileError where none are seen."""
+    if not SEEN_IN_FLIGHT & set(found[0].problem.names):
+        raise PeterkaFileError(f"{path} is too coarse to see the contact, which lasts for about {contact_samples(found[0]):.2g} samples, and has "
+                               f"neither displacement nor acceleration, whose flights would tell it; record at "
+                               f"{3e-3 / contact_samples(found[0]) / found[0].problem.step:.2g} kHz or more")
+    unseen = _unseen(found[0])
+    without = [one for other in found if (one := _solved(replace(other.problem, unseen=unseen), other.value))]
+    if not without:
+        raise PeterkaFileError(f"{path} is too coarse to see the contact, and its flights don't tell it")
+    return without
+
+
+def least_stiffness(found: Solved) -> float | None:
+    """The lower bound of ki [N/m] that the flights tell; None if they tell none."""
+    if not SEEN_IN_FLIGHT & set(found.problem.names):
+        return None
+    problem = found.problem if found.problem.unseen else replace(found.problem, unseen=_unseen(found))
+    best = _solved(problem, found.value)
+    if best is None:
+        return None
+    best = _solved(replace(problem, noise={**problem.noise, **levels(best)[0]}), best.value) or best
+    rungs = [(best.value["stiffness"], best)]
+    while len(rungs) <= MOST_RUNGS and rungs[-1][1].cost <= min(one.cost for _, one in rungs) + FAR:
+        lower = rungs[-1][0] - RUNG
+        one = _kept(rungs[-1][1], lower)
+        if one is None:
+            break
+        rungs.append((lower, one))
+    most = min(one.cost for _, one in rungs) + GROWTH
+    last = max(at for at, (_, one) in enumerate(rungs) if one.cost <= most)
+    if last + 1 == len(rungs):
+        return None  # it never grew
+    return float(problem.scale["stiffness"] * np.exp(_crossing(*rungs[last], rungs[last + 1][0], most)))
+
+
+def _crossing(allowed: float, one: Solved, forbidden: float, most: float) -> float:
+    """Where the sum of squares exceeds `most`, between an ln ki at which it doesn't, with its Solved, and one at which it does."""
+    while allowed - forbidden > LAST_RUNG:
+        middle = 0.5 * (allowed + forbidden)
+        tried = _kept(one, middle)
+        if tried is not None and tried.cost <= most:
+            one, allowed = tried, middle
+        else:
+            forbidden = middle
+    return forbidden
+
+
+def _unseen(found: Solved) -> list[tuple[float, float]]:
+    """(begin, end) [s] of what is left out at each impact: the same for any ki, so that sums of squares can be compared."""
+    step = found.problem.step
+    touches = found.problem.motion(found.value, 0).touches
+    return [(float(touch) - BESIDE * step, float(touch) + (max(FEWEST_IN_CONTACT, contact_samples(found)) + BESIDE) * step) for touch in touches]
+
+
+def _kept(found: Solved, stiffness: float) -> Solved | None:
+    """The Solved of all but ki, whose logarithm over its scale is kept; None where it doesn't converge."""
+    problem = found.problem
+    free = [name for name in problem.free if name != "stiffness"]
+    return _solved(replace(problem, free=free, fixed={**problem.fixed, "stiffness": stiffness}), {**found.value, "stiffness": stiffness})
+
+
+def _solved(problem: Problem, value: dict[str, float]) -> Solved | None:
+    try:
+        return solved(problem, value)
+    except (ValueError, np.linalg.LinAlgError):
+        return None
