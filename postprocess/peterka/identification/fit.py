@@ -15,7 +15,7 @@ from ..errors import PeterkaFileError
 from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events, likely
-from .flights_alone import FEWEST_IN_CONTACT, contact_samples, least_stiffness, told_by_flights
+from .flights_alone import least_stiffness, trusted
 from .numbers_found import Identified, Number, identified_from
 from .one_mode import share_of_modes, share_words
 from .problem import Leg, Problem
@@ -82,9 +82,7 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
     found.sort(key=lambda one: one.cost / one.rows)
-    if contact_samples(found[0]) < FEWEST_IN_CONTACT:
-        found = told_by_flights(recording.path, found)
-    best, other = likeliest(found)
+    best, other = likeliest(trusted(recording.path, found))
     share = share_of_modes(recording, guess, begun)
     try:
         told = replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
