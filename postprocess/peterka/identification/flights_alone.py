@@ -27,7 +27,7 @@ BESIDE = 4.0  # steps before a touch and after a release in which a filter rings
 AT_TOUCH = 0.25  # steps: a sample closer to a touch may be before it or after
 SEEN_IN_FLIGHT = {"displacement", "acceleration"}  # a force is 0 there
 GROWTH = 1.645**2  # of -2 ln likelihood, for 95 % on one side
-RUNG, LAST_RUNG = 0.5, 0.05  # of ln ki
+RUNG, LAST_RUNG = 0.5, 0.02  # of ln ki
 MOST_RUNGS = 24
 FAR = 25.0  # -2 ln likelihood above its least beyond which smaller ki aren't tried
 
