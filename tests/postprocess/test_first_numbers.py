@@ -140,7 +140,7 @@ def test_before_the_fit_of_single_impacts_a_scan_is_close(monkeypatch):
 @pytest.mark.parametrize("names", [("force",), ("acceleration",), ("displacement",)])
 def test_contacts_of_few_samples_begin_as_those_of_half_the_speed(names):
     one = recorded(names)
-    few = Recording(one.path, 0.0, 20 * one.step, {name: values[5::20] for name, values in one.signals.items()})
+    few = Recording(one.path, 0.0, 40 * one.step, {name: values[5::40] for name, values in one.signals.items()})
     guess = replace(look(one), pulses=look(few).pulses if names != ("displacement",) else look(one).pulses[:1])
     few = few if guess.sharp else one
     hardest, begun = guess.pulses[guess.hardest], begin(few, guess, HAMMER.mass)
