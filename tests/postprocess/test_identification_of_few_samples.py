@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from identification_coverage import pulls_of
 from peterka.errors import PeterkaFileError
+from peterka.identification import twins
 from peterka.identification.contact_pulse import pulse
 from peterka.identification.first_guess import look
 from peterka.identification.fit import fit, release_problem
@@ -77,6 +78,14 @@ def nearest(recording):
     begun = replace(begun, stiffness=HAMMER.stiffness)
     problem = release_problem(recording, guess, begun, samples_of(recording, guess), HAMMER.mass, {}, one)
     return solved(problem, start(problem, **one.value))
+
+
+def test_a_fit_that_goes_on_as_another_rig_is_no_twin_of_it(monkeypatch):
+    found = nearest(recorded(("force", "displacement"), 0.01, release(3.0)))
+    far = replace(found, value={**found.value, "omega": found.value["omega"] + 0.1}, cost=2.5 * found.cost)
+    monkeypatch.setattr(twins, "_continued", lambda _: found)
+    best, other = twins.likeliest([found, far])
+    assert best is found and other is None
 
 
 def test_a_filter_that_rings_is_seen_and_the_flights_tell_the_stop():
