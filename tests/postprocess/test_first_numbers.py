@@ -9,7 +9,7 @@ import pytest
 from peterka.errors import PeterkaFileError
 from peterka.identification import solve
 from peterka.identification.contact_pulse import pulse
-from peterka.identification.first_guess import Pulse, _refuse_clipped, look, noise_of
+from peterka.identification.first_guess import Pulse, _refuse_clipped, _without_rings, look, noise_of
 from peterka.identification.impact_table import fault_of, from_impact
 from peterka.identification.numbers_found import DAMPING, STIFFNESS, Number
 from peterka.identification.problem import Leg, Problem
@@ -51,6 +51,13 @@ def test_a_pulse_is_clipped_that_is_flat_for_three_samples_and_three_twentieths_
             _refuse_clipped(recording, "force", values, one)
     else:
         assert _refuse_clipped(recording, "force", values, one) is None
+
+
+def test_a_weak_pulse_beside_a_short_one_is_its_ring():
+    before, one, after = Pulse(9, 11, 10, 0.15), Pulse(14, 17, 15, 1.0), Pulse(20, 21, 20, 0.1)
+    weak, strong = Pulse(22, 23, 22, 0.1), Pulse(20, 21, 20, 0.3)
+    assert _without_rings([before, one, after]) == [one] == _without_rings([one])
+    assert _without_rings([one, weak]) == [one, weak] and _without_rings([one, strong]) == [one, strong]
 
 
 @pytest.mark.parametrize("signs", [1, -1])
@@ -140,7 +147,7 @@ def test_before_the_fit_of_single_impacts_a_scan_is_close(monkeypatch):
 @pytest.mark.parametrize("names", [("force",), ("acceleration",), ("displacement",)])
 def test_contacts_of_few_samples_begin_as_those_of_half_the_speed(names):
     one = recorded(names)
-    few = Recording(one.path, 0.0, 20 * one.step, {name: values[5::20] for name, values in one.signals.items()})
+    few = Recording(one.path, 0.0, 40 * one.step, {name: values[5::40] for name, values in one.signals.items()})
     guess = replace(look(one), pulses=look(few).pulses if names != ("displacement",) else look(one).pulses[:1])
     few = few if guess.sharp else one
     hardest, begun = guess.pulses[guess.hardest], begin(few, guess, HAMMER.mass)

@@ -1,5 +1,7 @@
 """Springs and gap from the times of impacts, against flights as real parts of a complex exponential; a pulse against steps in time."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from peterka.identification import flights
@@ -59,6 +61,17 @@ def test_one_impact_and_impacts_of_no_fit_of_their_own_tell_no_springs():
     four = impacts(4)
     assert from_events(begun(four[:1]), MASS, {}) == [] == from_events(begun(four, alone=False), MASS, {})
     assert from_events(begun([four[0], Impact(four[0].touch + 0.9 * CONTACT, 0.3, 1, 1e-5, 0.03)]), MASS, {}) == []
+
+
+@pytest.mark.parametrize("off", [0.75, 1.3])
+def test_a_restitution_that_few_samples_hardly_tell_is_found_by_the_flights(off):
+    """Springs of the true frequency are the best start, or as good, where the restitution is off by its error."""
+    few = begun(impacts(4, touch_error=5e-5))
+    few = replace(few, restitution=off * RESTITUTION, restitution_error=0.3, contact_error=0.05)
+    best = from_events(few, MASS, {})[0]
+    assert best.omega == pytest.approx(OMEGA, rel=0.03)
+    sure = from_events(replace(few, restitution_error=0.0), MASS, {})
+    assert sure[0].cost > 3 * best.cost
 
 
 def test_deviations_are_in_standard_deviations():

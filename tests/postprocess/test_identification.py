@@ -136,7 +136,7 @@ def test_a_table_of_impacts_with_decimal_commas(tmp_path, run_program):
     ({"begin": 0.0, "end": 0.05, "names": ("acceleration_m_s2",), "noise": 0.01}, "shows no impact"),
     ({"begin": 0.0, "end": 0.05, "names": ("displacement_m",), "noise": 0.01}, "shows no impact"),
     ({"clip": 100.0, "noise": 0.01}, "is clipped"),
-    ({"every": 10}, "too coarse to see the contact"),
+    ({"every": 20}, "too coarse to see the contact"),
     ({"noise": 0.05, "names": ("displacement_m",)}, "doesn't tell the stop"),
     ({"end": 0.0005}, "samples; 50 are needed"),
 ])

@@ -32,7 +32,7 @@ def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impac
     if len(touches) < impacts:
         raise PeterkaFileError(f"{recording.path} isn't {what}: it shows {impacts} impacts, and the nearest such motion has {len(touches)}. "
                           f"{_hint(given)}")
-    if begun.alone is not None:
+    if begun.alone is not None and not found.problem.unseen:
         chance, more = _impacts_left(found, begun.alone)
         if chance < CHANCE:
             raise PeterkaFileError(f"{recording.path} isn't {what}: its impacts are off the nearest one by {more:.3g} times what they are off a "

@@ -20,6 +20,7 @@ BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: recording length
 REACH = 0.1  # of its peak: level at which a pulse begins and ends
 LOOKED_AT = 1_000_000  # samples at most for a median
 AT_ONCE = 1_000_000
+RING, RING_REACH = 0.2, 4  # of a pulse's height, and samples: a weaker one that is nearer to it isn't an impact of its own
 BENT = 24  # largest contact, in samples, assumed for a displacement
 
 
@@ -150,7 +151,13 @@ def _above(values: Reals, sign: int, offset: float, limit: float, noise: float, 
             top = pulse.first + int(np.argmax(part[pulse.first:pulse.last]))
             found.append(Pulse(pulse.first + start, pulse.last + start, top + start, float(level[pulse.top])))
             begin = 2 * found[-1].last - found[-1].first  # skips its tail, which is not an impact
-    return found
+    return _without_rings(found)
+
+
+def _without_rings(found: list[Pulse]) -> list[Pulse]:
+    """The same without those that a logger's filter puts before and after a short one."""
+    return [one for at, one in enumerate(found) if not any(
+        one.height < RING * other.height and max(one.first - other.last, other.first - one.last) < RING_REACH for other in found[max(0, at - 2):at + 3])]
 
 
 def _pulse_around(values: Reals, start: int, begin: int, floor: float) -> Pulse:

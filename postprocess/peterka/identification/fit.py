@@ -15,13 +15,14 @@ from ..errors import PeterkaFileError
 from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events, likely
+from .flights_alone import least_stiffness, trusted
 from .numbers_found import Identified, Number, identified_from
 from .one_mode import share_of_modes, share_words
 from .problem import Leg, Problem
 from .recording import Recording
 from .samples import Samples
 from .solve import Solved, coarse, levels, solved, start
-from .starts import Begin, Impact, begin, from_swings, noise_levels, samples_of
+from .starts import SEEN, Begin, Impact, begin, from_swings, noise_levels, samples_of
 from .twins import likeliest
 
 FIRST_DAMPING_RATIO = 0.01
@@ -80,7 +81,8 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     found = _from_each(recording, guess, begun, samples, mass, given, starts)
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
-    best, other = likeliest(found)
+    found.sort(key=lambda one: one.cost / one.rows)
+    best, other = likeliest(trusted(recording.path, found))
     share = share_of_modes(recording, guess, begun)
     try:
         told = replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
@@ -168,7 +170,7 @@ def _begun(problem: Problem, begun: Begin, one: Start, given: Mapping[str, float
 
 def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> Fit:
     """The Fit of the hardest impact alone, if nothing else can be determined."""
-    if begun.alone is None:
+    if begun.alone is None or guess.contact < SEEN:
         raise PeterkaFileError(f"{recording.path} is too coarse to see the contact, which lasts for about {guess.contact} samples, and "
                           "shows no flights that tell it otherwise")
     return telling(finished(recording, guess, begun.alone, [begun.impacts[guess.hardest]]))
@@ -186,17 +188,22 @@ def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequenc
 
 def telling(fit: Fit) -> Fit:
     """The Fit; raises PeterkaFileError if its errors leave the stop undetermined."""
-    recording, guess, found = fit.recording, fit.guess, fit.solved
+    recording, found = fit.recording, fit.solved
     stiffness, ratio = found.error("stiffness"), found.error("stop_ratio")
     if stiffness <= UNKNOWN and ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):
         return fit
-    rig = found.problem.rig(found.value)
-    seen = guess.contact if guess.sharp else 0
-    told = f"ki = {rig.stiffness:.3g} N/m to {100 * stiffness:.2g} %"
-    if ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):
-        told += (f"; its restitution tells ci/sqrt(m ki) = {2 * found.value['stop_ratio']:.3g} ± {2 * ratio:.2g} alone, of any stiffness")
-    else:
-        told += f", ci/sqrt(m ki) = {2 * found.value['stop_ratio']:.3g} ± {2 * ratio:.2g}"
-    coarse_words = f"; {seen} samples lie in the hardest contact" if seen else ""
-    raise PeterkaFileError(f"{recording.path} doesn't tell the stop: {told}{coarse_words}. Record force or acceleration, with less noise or at a "
+    raise PeterkaFileError(f"{recording.path} doesn't tell the stop: {_what_is_told(fit)}. Record force or acceleration, with less noise or at a "
                       "higher rate, beside a displacement, or measure restitution and contact time")
+
+
+def _what_is_told(fit: Fit) -> str:
+    """Of a stop whose errors are too large, in words."""
+    found, stiffness, ratio = fit.solved, fit.solved.error("stiffness"), fit.solved.error("stop_ratio")
+    words = [f"ki = {found.problem.rig(found.value).stiffness:.3g} N/m to {100 * stiffness:.2g} %"] * (stiffness < 1)
+    least = least_stiffness(found) if stiffness > UNKNOWN and not found.problem.pushed else None
+    words += [f"ki is above {least:.3g} N/m (95 %)"] if least else ["no ki is too small"] * (stiffness >= 1)
+    told = f"ci/sqrt(m ki) = {2 * found.value['stop_ratio']:.3g} ± {2 * ratio:.2g}"
+    if ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):
+        told = f"its restitution tells {told} alone" + ", of any stiffness" * (least is None)
+    seen = [f"{fit.guess.contact} samples lie in the hardest contact"] if fit.guess.sharp else []
+    return "; ".join([", ".join(words), told, *seen])

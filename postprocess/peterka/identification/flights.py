@@ -24,6 +24,8 @@ STARTS = 12  # initial values for least squares
 FAR = 3.0  # bound on their steps: this many times APART, and standard deviations
 APART = 0.02  # relative difference of distinct omegas
 LEAST_TIME, LEAST_SPEED = 0.02, 0.02  # lower bounds on errors of events: in contacts, and relative
+MOST_BACK = 0.4  # relative error of a restitution that few samples tell, at most: it is within a factor of about 3 of any
+BACKS = (0.0, -1.0, 1.0, -2.0, 2.0)  # standard deviations: restitutions tried where it is told less well than LEAST_SPEED
 TIMES, UNLIKELY = 10.0, 1e-3  # of likely starts: cost over the best one's, or likelihood over its, whichever keeps more
 LOST = 30.0  # standard deviations, beyond which larger deviations cost no more
 
@@ -53,13 +55,14 @@ def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[S
     off = _Off(begun, lag, given.get("gap"))
     omega, ratio = (grid.ravel() for grid in np.meshgrid(omegas, ratios, indexing="ij"))
     with np.errstate(all="ignore"):  # for springs that do not bring the hammer back
-        cost = np.sum(np.square(np.nan_to_num(off(omega, ratio, 0.0)[0], nan=LOST).clip(-LOST, LOST)), axis=0)
+        omega, ratio, back = (grid.ravel() for grid in np.broadcast_arrays(omega, ratio, off.backs()[:, None]))
+        cost = np.sum(np.square(np.nan_to_num(off(omega, ratio, back)[0], nan=LOST).clip(-LOST, LOST)), axis=0)
         found: list[Start] = []
         tried: list[float] = []
         for at in np.argsort(cost):
             if all(abs(np.log(omega[at] / one)) > APART for one in tried):
                 tried.append(omega[at])
-                found.append(_nearest(off, first.speed, omega[at], ratio[at], given))
+                found.append(_nearest(off, first.speed, (omega[at], ratio[at], back[at]), given))
             if len(tried) == STARTS:
                 break
     kept: list[Start] = []
@@ -75,8 +78,10 @@ def likely(found: Sequence[Start]) -> list[Start]:
     return [one for one in found if one.cost <= max(TIMES * found[0].cost, found[0].cost - np.log(UNLIKELY))]
 
 
-def _nearest(off: "_Off", speed: float, omega: float, ratio: float, given: Mapping[str, float]) -> Start:
-    """The Start found by least squares from these springs and the stop's restitution."""
+def _nearest(off: "_Off", speed: float, begin: tuple[float, float, float], given: Mapping[str, float]) -> Start:
+    """The Start found by least squares from this omega, damping ratio, and restitution in standard deviations from the stop's."""
+    omega, ratio, back = begin
+
     def left(chosen: Reals) -> Reals:
         values: Reals = np.nan_to_num(off(*springs(chosen), chosen[2])[0], nan=LOST).clip(-LOST**2, LOST**2)
         return values
@@ -85,7 +90,7 @@ def _nearest(off: "_Off", speed: float, omega: float, ratio: float, given: Mappi
         return (omega if "omega" in given else omega * np.exp(APART * chosen[0]),
                 ratio if "damping_ratio" in given else abs(ratio + APART * chosen[1]))
 
-    answer = least_squares(left, np.zeros(3), loss="soft_l1", bounds=(-FAR, FAR))
+    answer = least_squares(left, np.array([0.0, 0.0, back]), loss="soft_l1", bounds=(-FAR, FAR))
     omega_there, ratio_there = springs(answer.x)
     swing = speed / omega_there
     gap = given.get("gap", off(omega_there, ratio_there, answer.x[2])[1])
@@ -103,15 +108,25 @@ class _Off:
     lag: float
     told_gap: float | None
 
+    @property
+    def spread(self) -> float:
+        """Relative standard deviation of the restitution."""
+        return min(max(self.begun.restitution_error, LEAST_SPEED), MOST_BACK)
+
+    def backs(self) -> Reals:
+        """Restitutions that are tried, in standard deviations from the stop's."""
+        return np.array(BACKS if self.spread > LEAST_SPEED else BACKS[:1])
+
     def restitution(self, back: Any) -> Any:
         """The restitution raised by this many standard deviations."""
-        return self.begun.restitution * np.exp(LEAST_SPEED * back)
+        return np.minimum(self.begun.restitution * np.exp(self.spread * back), 1.0)
 
     def __call__(self, omega: Any, ratio: Any, back: Any) -> tuple[Any, Any]:
         """([deviations, in standard deviations], gap [m]) for these springs and a restitution raised by this many standard deviations."""
         impacts, gap, rows = self.begun.impacts, None, [back + 0 * omega]
         restitution = self.restitution(back)
         speed = impacts[0].speed + 0 * omega
+        least = max(LEAST_TIME, self.begun.contact_error) * self.begun.contact
         for before, after in zip(impacts, impacts[1:]):
             leaving = restitution * speed
             a, b, a_rate, b_rate = _flight(omega, ratio, after.touch - before.touch - self.begun.contact)
@@ -122,7 +137,7 @@ class _Off:
             place = (gap + self.lag * leaving) * a - leaving * b
             speed = (gap + self.lag * leaving) * a_rate - leaving * b_rate
             late = (gap - place) / speed
-            rows.append(late / max(after.touch_error, before.touch_error, LEAST_TIME * self.begun.contact))
+            rows.append(late / max(after.touch_error, before.touch_error, least))
             rows.append(np.log(speed / after.speed) / max(after.speed_error, LEAST_SPEED))
         return np.array(rows), gap
 

@@ -51,6 +51,7 @@ class Problem:
     step: float
     pushed: bool = False
     blind: float = 0.0  # s: samples this close to a touch have no weight
+    unseen: Sequence[tuple[float, float]] = ()  # (begin, end) [s]: samples between them have no weight in any signal
     prior: dict[str, tuple[float, float]] = field(default_factory=dict)
     extra_noise: dict[str, float] = field(default_factory=dict)  # {signal: factor of its noise in contact}
 

@@ -31,8 +31,8 @@ WHITE, FAR = 0.01, 0.01  # standard deviations, and largest change of a paramete
 @dataclass(frozen=True)
 class Settled:
     """State of a leg: `touches` [s]; `places`: index of the first sample in each contact; `used`: mask of the single samples
-    that are not nearest to a touch; `known` and `known_means`: masks of the part before the first excluded impact;
-    `contact`: mask of the single samples in contact; `jumps` {index of a contact: middle [s] of the step in which a recorded
+    that are not nearest to a touch; `known` and `known_means`: masks of the part before the first excluded impact, without what
+    the problem leaves unseen; `contact`: mask of the single samples in contact; `jumps` {index of a contact: middle [s] of the step in which a recorded
     signal jumps by as much as the model predicts, so that the touch lies in this step}."""
 
     touches: Reals
@@ -125,8 +125,12 @@ def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
     for begin, end in moved.contacts():
         contact |= (time > begin) & (time < end)
     until = problem.known_until(moved, number)
-    jumps = {} if problem.blind else _jumps(problem, value, number, moved, places)
-    return Settled(touches, places, used, time < until, samples.ends < until, contact, jumps)
+    known, known_means = time < until, samples.ends < until
+    for first, last in problem.unseen:
+        known &= (time < first) | (time > last)
+        known_means &= (samples.ends < first) | (samples.begins > last)
+    jumps = {} if problem.blind or problem.unseen else _jumps(problem, value, number, moved, places)
+    return Settled(touches, places, used, known, known_means, contact, jumps)
 
 
 def _jumps(problem: Problem, value: Mapping[str, float], number: int, moved: Motion, places: Integers) -> dict[int, float]:

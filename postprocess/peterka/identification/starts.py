@@ -18,6 +18,7 @@ FIRST_RESTITUTION = 0.5
 SLICE = 1.5  # of a pulse's width: window of a single impact before and after the pulse
 AROUND, LEAST_AROUND = 3, 15  # widths of a pulse, and samples, kept before and after it
 SEEN = 4  # samples of a contact from which it determines a stop by itself
+GLIMPSED = 2  # samples from which it gives initial values, of which flights tell the better ones
 SCANNED_RATIOS, SCANNED_LENGTHS, SCANNED_TOUCHES = (0.02, 0.1, 0.25, 0.5), np.linspace(0.6, 1.2, 7), 24
 MOST_ALONE = 8  # impacts fitted individually at first
 WAVES: tuple[Any, ...] = (np.cos, np.sin)
@@ -40,7 +41,7 @@ class Impact:
 @dataclass(frozen=True)
 class Begin:
     """First guesses: ki [N/m], damping ratio of the stop, contact time [s], and all impacts; `alone`: the fit of the hardest
-    one alone; None if it is not resolved well enough."""
+    ones by themselves; None if they are not resolved well enough; relative errors of restitution and contact time in that fit."""
 
     stiffness: float
     stop_ratio: float
@@ -48,6 +49,8 @@ class Begin:
     restitution: float
     impacts: list[Impact]
     alone: Solved | None
+    restitution_error: float = 0.0
+    contact_error: float = 0.0
 
 
 def window(guess: Guess, number: int) -> tuple[int, int]:
@@ -71,13 +74,13 @@ def begin(recording: Recording, guess: Guess, mass: float) -> Begin:
     stiffness, damping = identified(mass, FIRST_RESTITUTION, contact)
     ratio, touch = damping / (2 * np.sqrt(stiffness * mass)), recording.step * (hardest.first - 0.5)
     speed, alone = _rough_speed(recording, guess, mass, stiffness), None
-    if guess.sharp and guess.contact >= SEEN:
+    if guess.sharp and guess.contact >= GLIMPSED:
         stiffness, ratio, touch, speed = _scanned(recording, guess, mass)
         contact = pulse(mass, stiffness, 2 * ratio * np.sqrt(stiffness * mass))[1]
     impacts = [Impact(touch + recording.step * (one.first - hardest.first), speed * one.height / hardest.height, number,
                       ROUGH * contact, ROUGH)
                for number, one in enumerate(guess.pulses)]
-    if guess.sharp and guess.contact >= SEEN:
+    if guess.sharp and guess.contact >= GLIMPSED:
         alone = _alone(recording, guess, mass, stiffness, ratio, contact, sorted(
             sorted(impacts, key=lambda one: -one.speed)[:MOST_ALONE], key=lambda one: one.touch))
     if alone is not None:
@@ -89,7 +92,14 @@ def begin(recording: Recording, guess: Guess, mass: float) -> Begin:
                                   speed=float(leg.speed * np.exp(alone.value[f"speed {number}"])),
                                   touch_error=contact * alone.error(f"touch {number}"), speed_error=alone.error(f"speed {number}"))
     restitution, contact = pulse(mass, stiffness, 2 * ratio * np.sqrt(stiffness * mass))
-    return Begin(stiffness, ratio, contact, restitution, impacts, alone)
+    return Begin(stiffness, ratio, contact, restitution, impacts, alone, *(_errors_of(alone, ratio) if alone else ()))
+
+
+def _errors_of(alone: Solved, ratio: float) -> tuple[float, float]:
+    """Relative errors of (restitution, contact time) of a stop of this damping ratio."""
+    error = alone.error("stop_ratio")
+    less, more = (pulse(1.0, 1.0, 2 * max(ratio + way * error, 0.0)) for way in (-1, 1))
+    return float(0.5 * np.log(less[0] / max(more[0], 1e-300))), 0.5 * alone.error("stiffness")
 
 
 def impact_legs(recording: Recording, guess: Guess, impacts: Sequence[Impact]) -> list[Leg]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .adequacy import likeness_of
+from .flights_alone import FEW_IN_CONTACT, contact_samples
 from .numbers_found import FREQUENCY, GAP, Identified, identified_from
 from .solve import Solved, levels, solved
 
@@ -24,7 +25,7 @@ ADVICE = ("Record displacement beside it, more impacts, from a larger start, or 
 
 @dataclass(frozen=True)
 class _Rival:
-    """A fit, and the same `continued` through impacts that weren't detected."""
+    """A fit, and the same `continued` through impacts that weren't detected; the continued one twice where these lead to another rig."""
 
     fit: Solved
     continued: Solved
@@ -41,7 +42,7 @@ def likeliest(found: Sequence[Solved]) -> tuple[Solved, str | None]:
     different = _different(sorted(found, key=_per_row))
     if len(different) == 1:
         return different[0], None
-    rivals = [_Rival(one, _continued(one)) for one in different]
+    rivals = [_rival(one) for one in different]
     least = min(_per_row(one.continued) for one in rivals)
     rivals = [one for one in rivals if _per_row(one.continued) <= HOPELESS * least]
     until = min(one.until for one in rivals)
@@ -58,6 +59,14 @@ def likeliest(found: Sequence[Solved]) -> tuple[Solved, str | None]:
             return best.fit, (f"{_words(numbers)}, and {_words(other)}, whose likelihood is {likelihood:.2g} of the first one's and would have "
                               f"to be below {RULED_OUT:g}. {ADVICE}")
     return best.fit, None
+
+
+def _rival(fit: Solved) -> _Rival:
+    continued = _continued(fit)
+    if contact_samples(fit) < FEW_IN_CONTACT and _per_row(continued) > HOPELESS * _per_row(fit):
+        return _Rival(fit, fit)  # where few samples tell the restitution, the next impact may be off by a contact, and this says nothing
+    before, after = (identified_from(one, likeness_of(one)) for one in (fit, continued))
+    return _Rival(continued if _apart(before, after) else fit, continued)
 
 
 def _per_row(one: Solved) -> float:

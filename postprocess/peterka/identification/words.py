@@ -3,6 +3,7 @@
 import numpy as np
 
 from .fit import Fit
+from .flights_alone import contact_samples
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 from .one_mode import share_words
 from .recording import Recording
@@ -46,6 +47,9 @@ def recording_lines(fit: Fit) -> list[str]:
     lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
              f"impact{'s' * (impacts != 1)}" + _missing(recording)]
     lines += [f"  {reason}" for reason in fit.unused]
+    if fit.solved.problem.unseen:
+        lines.append(f"  contacts last for about {contact_samples(fit.solved):.2g} samples, which a logger's filter changes: they aren't used, and "
+                     "the flights tell the contact time")
     if fit.share is not None:
         lines.append(f"  {share_words(fit.share)}")
     if fit.misfit > MUCH_LEFT:
