@@ -69,6 +69,17 @@ def test_one_glimpsed_impact_is_too_coarse():
         fit(recording, HAMMER.mass)
 
 
+@pytest.mark.parametrize("names", [("force", "displacement"), ("acceleration",)])
+def test_two_impacts_of_few_samples_are_not_enough(names):
+    time, columns = release(3.0)
+    until = 0.5 * sum(one.first for one in look(recorded(("force",), 1e-4, release(3.0))).pulses[1:3])
+    two = {each: values[:int(until)] for each, values in columns.items()}
+    recording = recorded(names, 0.002, (time, two))
+    assert len(look(recording).pulses) == 2
+    with pytest.raises(PeterkaFileError, match=r"simulated shows 2 impacts of about 3\.?\d* samples; of so few samples 3 impacts are needed"):
+        fit(recording, HAMMER.mass)
+
+
 def nearest(recording):
     """The Solved of a recording, from the truth."""
     guess = look(recording)

@@ -15,7 +15,7 @@ from ..errors import PeterkaFileError
 from .adequacy import likeness_of, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events, likely
-from .flights_alone import least_stiffness, trusted
+from .flights_alone import contact_samples, least_stiffness, trusted
 from .numbers_found import Identified, Number, identified_from
 from .one_mode import share_of_modes, share_words
 from .problem import Leg, Problem
@@ -26,6 +26,7 @@ from .starts import SEEN, Begin, Impact, begin, from_swings, noise_levels, sampl
 from .twins import likeliest
 
 FIRST_DAMPING_RATIO = 0.01
+FEWEST_GLIMPSED = 3  # impacts, of contacts of fewer samples than SEEN
 WIDE = {"omega": (0.0, 2.0), "damping_ratio": (0.02, 0.3), "gap": (0.0, 3.0)}  # weakly informative priors
 UNKNOWN = 0.25  # relative standard error above which a number counts as unknown
 EXPLAINED = 1.5  # sum of squares per residual, in standard deviations: above it, another minimum is looked for
@@ -82,6 +83,8 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
     found.sort(key=lambda one: one.cost / one.rows)
+    if guess.sharp and contact_samples(found[0]) < SEEN:
+        refuse_few(recording, begun, contact_samples(found[0]))
     best, other = likeliest(trusted(recording.path, found))
     share = share_of_modes(recording, guess, begun)
     try:
@@ -93,6 +96,13 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     if other is not None:
         raise PeterkaFileError(f"{recording.path} doesn't tell two rigs apart: {other}")
     return told
+
+
+def refuse_few(recording: Recording, begun: Begin, samples: float) -> None:
+    """Raises PeterkaFileError for few impacts of few samples: such a fit once had a frequency off by 8 of its standard errors."""
+    if len(begun.impacts) < FEWEST_GLIMPSED:
+        raise PeterkaFileError(f"{recording.path} shows {len(begun.impacts)} impacts of about {samples:.2g} samples; of so few samples "
+                          f"{FEWEST_GLIMPSED} impacts are needed. Record at a higher rate, from a larger start, or for longer")
 
 
 def _from_each(recording: Recording, guess: Guess, begun: Begin, samples: Samples, mass: float, given: Mapping[str, float],
