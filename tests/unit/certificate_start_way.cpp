@@ -287,7 +287,8 @@ TEST_P(StartsOf, InManyDigitsAWayLiesWithinThatInDoubles) {
     }
 }
 
-// Errors grow by more than e^30 on this way, which leads to 6/10: so does an independent program's in 90 digits.
+// Errors grow by more than e^30 on this way, which leads to 6/10: so does an independent program's in 90
+// digits.
 TEST(StartWay, InManyDigitsLongWaysAreProved) {
     const SolvedPlace place = testing::solved_at(2.1842105263157894, 1.6842105263157894);
     EXPECT_GT(place.cell.sensitivity, 30);
