@@ -34,6 +34,7 @@ class MultiStartPool {
     [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
     void step();
+    void spent_elsewhere(double seconds) { pool_.spent_elsewhere(seconds); }  // as in regime::SearchPool
     // Searches begun so far; in a cell with a single start, one that never meets the stop has none.
     [[nodiscard]] std::int64_t searches() const { return pool_.searches(); }
 

@@ -40,6 +40,7 @@ template <class T>
         }
     }
     std::vector<T> results;
+    results.reserve(count);
     for (const Task<T>& task : tasks) results.push_back(task.result());
     co_return results;
 }

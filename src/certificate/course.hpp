@@ -66,6 +66,7 @@ class Course {
     static constexpr std::size_t order = taylor_order<Number>;
     using Series = std::array<Number, order + 2>;
 
+    // NOLINTNEXTLINE(modernize-pass-by-value): most numbers are small
     Course(const Phase<Number>& phase, const Number& time, const Vector<Number>& start)
         : phase_(&phase), time_(time), step_(step_of(phase, start)) {
         const Vector<Number> center{point_of(start.position), point_of(start.velocity)};
@@ -74,9 +75,10 @@ class Course {
 
     [[nodiscard]] Vector<Number> at(const Number& offset) const {
         const Step& step = step_at(lowest(offset), highest(offset));
+        const bool is_before = lowest(offset) < step.begin - 0.1 * step_;  // bounds are of motions forward
         const Number s = offset - Number(step.begin);
         Vector<Number> state = value(step.series, s);
-        const double ball = step.ball * growth(step, size_of(s));
+        const double ball = is_before ? NAN : step.ball * growth(step, size_of(s));
         state.position = box_around(state.position, ball / phase_->root_of_stiffness() * above);
         state.velocity = box_around(state.velocity, ball * above);
         return state;
@@ -225,7 +227,8 @@ class Course {
     // The step that contains both offsets; steps are computed on demand, and each extends slightly into the
     // next.
     [[nodiscard]] const Step& step_at(double from, double to) const {
-        while (!(to <= steps_.back().begin + 0.99 * step_) && steps_.size() < 100'000) {
+        constexpr std::size_t most_steps = 100'000;
+        while (!(to <= steps_.back().begin + 0.99 * step_) && steps_.size() < most_steps) {
             const Step& last = steps_.back();
             const double length = 0.95 * step_;
             const double begin = last.begin + length;
@@ -235,6 +238,7 @@ class Course {
             steps_.push_back(step_from(begin, center, ball));
             if (!std::isfinite(steps_.back().ball)) break;
         }
+        if (steps_.size() == most_steps) steps_.back().ball = NAN;  // nothing is proved of its end
         auto i = static_cast<std::size_t>(std::max(0.0, from / (0.95 * step_)));
         i = std::min(i, steps_.size() - 1);
         while (i > 0 && steps_[i].begin > from) --i;

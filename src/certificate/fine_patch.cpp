@@ -1,5 +1,7 @@
 #include "certificate/fine_patch.hpp"
 
+#include <cmath>
+
 namespace peterka::certificate {
 namespace {
 
@@ -30,6 +32,7 @@ std::optional<Place<Ball>> sharpened(const Springs<Ball>& springs, const Leg<Bal
         const auto time = common_part(box.time, image.time);
         const auto along = common_part(box.along, image.along);
         if (!time || !along) return std::nullopt;
+        if (!std::isfinite(time->size()) || !std::isfinite(along->size())) break;
         const bool shrinks =
             time->radius() < 0.5 * box.time.radius() || along->radius() < 0.5 * box.along.radius();
         box = {*time, *along};

@@ -141,7 +141,7 @@ class Phase {
     }
 
     [[nodiscard]] Number acceleration(const Vector<Number>& state, const Number& sine) const {
-        const Number linear = drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;
+        Number linear = drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;
         if (is_linear()) return linear;
         const Number u = state.position + gap_;
         const Number square = absolute_ ? u * u + Number(3) * sine * (u + sine) : u * u;
@@ -155,7 +155,7 @@ class Phase {
     }
     [[nodiscard]] Number jerk(const Vector<Number>& state, const Number& acceleration,
                               const SineCosineOf<Number>& angle) const {
-        const Number linear =
+        Number linear =
             drive_ * frequency_ * angle.cosine - damping_ * acceleration - stiffness_ * state.velocity;
         if (is_linear()) return linear;
         const Number u = state.position + gap_;

@@ -37,7 +37,7 @@ std::optional<RigOf<Number>> rig_of(const job::CellNumbers& numbers) {
     const auto* rigid = std::get_if<job::Restitution>(&numbers.contact);
     if (stop == nullptr && rigid == nullptr) return std::nullopt;
     const job::Hammer& hammer = numbers.hammer;
-    const Number omega = omega_of<Number>(hammer);
+    const auto omega = omega_of<Number>(hammer);
     const Number impedance = Number(hammer.mass_kg) * omega;  // m omega [Ns/m]
     RigOf<Number> rig;
     rig.damping_ratio = hammer.damping_ratio

@@ -69,6 +69,8 @@ class ConvergenceTest {
     [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
     // The state one orbit period later, and the pattern of the cycles in between.
     Standing advance(const Point& state, EventPattern pattern);
+    // Counts failures from here on.
+    void forgive() { failures_ = 0; }
     // One more cycle. The result stays open up to the end of a period.
     Standing follow(const CycleResult& cycle);
 

@@ -189,13 +189,14 @@ void SearchPool::step() {
 void SearchPool::advance(Group& group) {
     // Each cell is charged for the step before: those that leave in this one were charged when they came.
     group.charged += group.last_step_seconds / static_cast<double>(group.cells.size());
+    elsewhere_ = 0;
     const Stopwatch stopwatch;
     group.advance();
     // from the back: the cell that takes the slot of one that leaves has had its turn already
     for (std::size_t slot = group.cells.size(); slot-- > 0;) {
         if (group.map.is_at_end(slot) && group.record(slot)) serve(group, slot);
     }
-    group.last_step_seconds = stopwatch.seconds();
+    group.last_step_seconds = stopwatch.seconds() - elsewhere_;
 }
 
 void SearchPool::serve(Group& group, std::size_t slot) {

@@ -52,6 +52,10 @@ class SearchPool {
     // Searches begun so far; cells that never meet the stop have none.
     [[nodiscard]] std::int64_t searches() const { return searches_; }
 
+    // For `take`: what it spends on a cell that the owner charges to it himself, and the pool must not charge
+    // to the other cells of its batch [s].
+    void spent_elsewhere(double seconds) { elsewhere_ += seconds; }
+
     // Advances each batch that is large enough by a cycle, or the largest if none is; and the first of the
     // cells outside batches by a few.
     void step();
@@ -87,6 +91,7 @@ class SearchPool {
     std::deque<std::unique_ptr<Member>> alone_;
     std::size_t in_hand_ = 0;
     std::int64_t searches_ = 0;
+    double elsewhere_ = 0;  // during the present step of a batch [s]
 };
 
 }  // namespace peterka::regime

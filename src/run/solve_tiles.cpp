@@ -85,7 +85,9 @@ class TileSolver {
                 add_mean_life(scene_, row, column, attractor);
             }
             elasticities_.add_to(row, column, open.results[i].cell);
-            open.seconds += afterwards.seconds();
+            const double seconds = afterwards.seconds();
+            open.seconds += seconds;
+            pool_.spent_elsewhere(seconds);
         }
         if (++open.solved < open.cells.size()) return;
         solve(open, work_.go_on(open.tile, open.results, open.seconds));

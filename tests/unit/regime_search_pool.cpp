@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "regime/search_pool.hpp"
@@ -66,6 +68,26 @@ std::vector<CellResult> one_by_one(const scene::Scene& scene) {
         results.push_back(solve_cell(scene, cell / scene.columns(), cell % scene.columns()));
     }
     return results;
+}
+
+// What the owner spends on the first cell is not charged to the others that share its batch's step.
+TEST(SearchPool, WhatTheOwnerSpendsIsNotChargedToOthers) {
+    const scene::Scene scene(linear_job(20, 20));
+    const AttractorTable nothing_known;
+    double charged = 0;
+    bool first = true;
+    std::optional<SearchPool> pool;
+    pool.emplace(scene, nothing_known, [&](const SearchPool::NumberedOutcome& solved) {
+        charged += solved.seconds;
+        if (std::exchange(first, false)) return;
+        pool->spent_elsewhere(1e6);
+    });
+    for (const std::int64_t cell : all_cells(scene)) {
+        while (!pool->has_room()) pool->step();
+        pool->add(cell / scene.columns(), cell % scene.columns(), cell);
+    }
+    while (!pool->empty()) pool->step();
+    EXPECT_LT(charged, -1e6);
 }
 
 // The engines round differently. A label may depend on that where a perturbation grew by e^20 (fractal basin
