@@ -3,18 +3,13 @@
 // doubles don't carry them. The same templates serve them as intervals of doubles.
 #pragma once
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
-
 #include <array>
 #include <cstddef>
 #include <optional>
 
 #include "certificate/course.hpp"
 #include "certificate/interval.hpp"
+#include "certificate/versions.hpp"
 
 namespace peterka::certificate {
 

@@ -2,16 +2,11 @@
 // and on intervals of all widths.
 #include <gtest/gtest.h>
 
-#if __has_include(<flint/arb.h>)
-#include <flint/arb.h>
-#else
-#include <arb.h>
-#endif
-
 #include <cmath>
 #include <random>
 
 #include "certificate/elementary.hpp"
+#include "certificate/versions.hpp"
 
 namespace peterka::certificate {
 namespace {
