@@ -107,20 +107,33 @@ class CellSolver {
     Task<CellResult> with_cubic_where_it_matters(CellResult without) {
         if (must_keep_cubic(without)) co_return co_await with_all_terms(reach_of(without), solver_.tolerance);
         if (!has_lasting_proof(without)) co_return without;
-        if (may_have_another_label(without)) {
-            const EngineSettings split{Engine::split, coarse(), reach_of(without)};
-            const CellResult with = co_await again(cell_.oscillator, cell_.start, split);
+        if (may_have_another_label(without)) co_return co_await with_cubic_if_it_turns(std::move(without));
+        if (without.regime != Regime::periodic) co_return without;
+        const CubicShift shift = co_await shift_of(without);
+        if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;
+        co_return co_await with_fit_errors(reach_of(without), coarse());
+    }
+
+    // Searches with the term until errors of the splitting, too, change no decision on the way; each time with
+    // as small ones as the last way requires.
+    Task<CellResult> with_cubic_if_it_turns(CellResult without) {
+        double tolerance = coarse();
+        double reach = reach_of(without);
+        while (splits(tolerance, reach)) {
+            const CellResult with =
+                co_await again(cell_.oscillator, cell_.start, {Engine::split, tolerance, reach});
             if (with.sensitivity > rounding_decides) {
                 without.sensitivity = with.sensitivity;
                 co_return without;
             }
-            if (same_label(with, without) && !changes_force(with, without)) co_return without;
-            co_return co_await with_all_terms(reach_of(with), fit_tolerance(with));
+            const double fit = fit_tolerance(with);
+            const bool stays = same_label(with, without) && !changes_force(with, without);
+            if (stays && fit > tolerance / 2) co_return without;
+            tolerance = fit;
+            reach = reach_of(with);
+            if (!stays) break;
         }
-        if (without.regime != Regime::periodic) co_return without;
-        const CubicShift shift = co_await shift_of(without);
-        if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;
-        co_return co_await with_all_terms(reach_of(without), coarse());
+        co_return co_await with_fit_errors(reach, tolerance);
     }
 
     // For a known attractor, the shift was computed when it was found.
@@ -143,13 +156,13 @@ class CellSolver {
     // Whether the term is too strong to be omitted, or to be examined with `split`.
     [[nodiscard]] bool must_keep_cubic(const CellResult& without) const {
         return !(effect_of_cubic(cell_.oscillator, without.largest_displacement) <= solver_.omit_tolerance) ||
-               !cubic_splits();
+               !splits(coarse(), EngineSettings{}.largest_displacement);
     }
     // For a cell with a lasting proof.
     [[nodiscard]] bool may_have_another_label(const CellResult& without) const {
         const double effect = effect_of_cubic(cell_.oscillator, without.largest_displacement);
-        // How far the term moves the motion in a cycle; exp(sensitivity) is the growth of that.
-        const double disturbance = effect / 3 * without.largest_displacement * cell_.oscillator.period();
+        // How far the term moves the motion in a few cycles; exp(sensitivity) is the growth of that.
+        const double disturbance = 4 * effect / 3 * without.largest_displacement * cell_.oscillator.period();
         const bool may_turn =
             disturbance * std::exp(without.sensitivity) > harmless && without.sensitivity <= rounding_decides;
         return may_turn || is_near_its_edge(without, effect);
@@ -175,6 +188,17 @@ class CellSolver {
         co_return result;
     }
 
+    // The same with a tolerance at which errors of the search change no decision on its way, as far as
+    // solver.tolerance allows.
+    Task<CellResult> with_fit_errors(double largest_displacement, double tolerance) {
+        CellResult result = co_await with_all_terms(largest_displacement, tolerance);
+        while (result.engine == Engine::split && fit_tolerance(result) <= tolerance / 2) {
+            tolerance = fit_tolerance(result);
+            result = co_await with_all_terms(reach_of(result), tolerance);
+        }
+        co_return result;
+    }
+
     // Tolerance of a search whose errors grow as in this one, so that they change no decision on its way.
     [[nodiscard]] double fit_tolerance(const CellResult& found) const {
         if (!has_lasting_proof(found) || found.sensitivity > rounding_decides) return coarse();
@@ -197,10 +221,11 @@ class CellSolver {
     [[nodiscard]] EngineSettings exact() const { return {.tolerance = solver_.tolerance}; }
     // Tolerance to judge the term's effect, not to solve with it.
     [[nodiscard]] double coarse() const { return std::max(solver_.tolerance, solver_.omit_tolerance / 30); }
-    [[nodiscard]] bool cubic_splits() const {
+    // Whether the closed form with kicks can follow a motion of this reach with this tolerance.
+    [[nodiscard]] bool splits(double tolerance, double largest_displacement) const {
         job::Solver solver = solver_;
-        solver.tolerance = coarse();
-        const EngineByReach with(cell_.oscillator, solver, EngineSettings{}.largest_displacement);
+        solver.tolerance = tolerance;
+        const EngineByReach with(cell_.oscillator, solver, largest_displacement);
         return with.settings().engine == Engine::split;
     }
     // How far a search for the motion may go, including its transient.

@@ -56,6 +56,8 @@ JOBS = {
     "study of labels": jobs.small_label_study(points=2),
     "study of stability": jobs.stability_study(),
 }
+OTHER_ENGINES = [name for name in JOBS if name.startswith("map, ") and "solver" in JOBS[name]] + ["rigid stop, arkode"]
+TABLES_OF_ENGINES = ("hammer", "cart", "contact", "axes", "start", "solver", "steady_state")  # the others never reach an engine
 
 
 def keys_of(table, path=""):
@@ -98,6 +100,8 @@ def settings_to_try(folder):
 def test_no_value_that_is_accepted_ends_in_an_internal_error(tmp_path, name):
     jobs.write(tmp_path, JOBS[name])
     tried = settings_to_try(tmp_path)
+    if name in OTHER_ENGINES:
+        tried = [setting for setting in tried if setting.split(".")[0] in TABLES_OF_ENGINES]
     assert len(tried) > 20
     numbers = count()
 

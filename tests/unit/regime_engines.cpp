@@ -158,6 +158,40 @@ TEST(AutomaticEngine, KeepsTheTermNextToAFold) {
     EXPECT_GT(std::abs(solve_cell(scene::Scene(job), 0, 0).peak_force / independent.peak_force - 1), 1e-3);
 }
 
+// Cells with the start at rest whose way grows small effects up to e^17 times: without the term it leads to
+// another regime, and so it does with the term and errors of the default omit_tolerance. Expected are the
+// regimes of Taylor series with the term, in long double and in 113 bits, with an event search of their own.
+TEST(AutomaticEngine, KeepsTheTermWhereItTurnsTheWay) {
+    struct Place {
+        double frequency, gap;
+        int impacts, period;
+    };
+    for (const auto& [frequency, gap, impacts, period] : {Place{3.888235294117647, 1.2941176470588236, 4, 9},
+                                                          Place{1.6294117647058823, 2.235294117647059, 0, 1},
+                                                          Place{1.5666666666666667, 2.588235294117647, 0, 1}}) {
+        SCOPED_TRACE(::testing::Message() << frequency << " " << gap);
+        job::Job job = paper_job(238.23);
+        job.columns = {frequency, 5, 2};
+        job.rows = {gap, 5, 2};
+        const CellResult kept = solve_cell(scene::Scene(job), 0, 0);
+        EXPECT_EQ(kept.engine, Engine::split);
+        EXPECT_EQ(kept.status, Status::verified);
+        EXPECT_EQ(kept.impacts, impacts);
+        EXPECT_EQ(kept.period, period);
+    }
+}
+
+// A coarse search with the term ends on 3/2 although the way's growth is beyond what its errors allow; the
+// finer one tells that rounding decides.
+TEST(AutomaticEngine, VerifiesNothingThatItsErrorsMayHaveChosen) {
+    job::Job job = paper_job(238.23);
+    job.columns = {2.256862745098039, 5, 2};
+    job.rows = {1.7058823529411764, 5, 2};
+    const CellResult cell = solve_cell(scene::Scene(job), 0, 0);
+    EXPECT_EQ(cell.status, Status::rounding);
+    EXPECT_GT(cell.sensitivity, rounding_decides);
+}
+
 // A nonlinear contact is always integrated, with every term, however small.
 TEST(AutomaticEngine, IntegratesHuntCrossleyStops) {
     job::Job job = paper_job(238.2325);
