@@ -1,11 +1,15 @@
-"""Disks that fail at one call, in a small run of each kind: a sample of tests/endurance/disk_faults.py."""
+"""Disks that fail at one call, in a small run of each way to write a file: a sample of tests/endurance/disk_faults.py."""
 
 import pytest
 
 import disk_faults
 
 
-@pytest.fixture(scope="module", params=disk_faults.KINDS)
+# The others write as one of these does.
+WRITERS = [kind for kind in disk_faults.KINDS if kind not in ("curves with distances", "sweep with starts", "map of uncertain rigs")]
+
+
+@pytest.fixture(scope="module", params=WRITERS)
 def kind(request, tmp_path_factory):
     return disk_faults.Kind(request.param, tmp_path_factory.mktemp(request.param))
 
@@ -31,7 +35,7 @@ def test_a_call_that_fails_leaves_the_right_file_or_says_so(kind, call, how, mos
 
 def test_every_kind_of_call_is_met(kind):
     """A library that is not loaded would make nothing fail."""
-    whole = kind.name in ("curves", "curves with distances", "trace", "study")
+    whole = kind.name in ("curves", "trace", "study")
     least = {"write": 2, "read": 1, "fsync": 1, "rename": 1} if whole else {"write": 50, "read": 200, "fsync": 2, "allocate": 1}
     assert {call: number for call, number in least.items() if kind.calls[call] < number} == {}
 
