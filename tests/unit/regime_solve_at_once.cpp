@@ -72,7 +72,7 @@ TEST(SolveAtOnce, SaysWhatTheSearchSays) {
 // Without its cubic term, of an effect e on the stiffness, a free motion may touch where the gap exceeds its
 // reach by less than L/3/(1 - L), L = e H (regime/lasting_motion_proof.hpp).
 TEST(SolveAtOnce, LeavesTheCubicTermOutAsFarAsItBringsNoTouch) {
-    job::Job job = testing::job_170mm(1e6);
+    job::Job job = testing::job_170mm(2e5);
     job.columns.points = job.rows.points = 1;
     job.hammer.damping_ns_per_m = 1;
     job.solver.omit_tolerance = 1;
