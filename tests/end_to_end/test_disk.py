@@ -32,9 +32,9 @@ def small_disk(tmp_path):
 
 
 def said(finished):
-    """The program's message about the failure, printed once."""
+    """The program's message about the failure: one, which a second rank repeats that meets it before the first one's abort."""
     told = [line for line in launch.messages(finished) if "cells to compute" not in line]
-    assert len(told) == 1, finished.stderr
+    assert 1 <= len(told) <= RANKS[-1] and len(set(told)) == 1, finished.stderr
     return told[0]
 
 
