@@ -69,7 +69,7 @@ class CellSolver {
         } else {
             result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
         }
-        if (has_lasting_proof(result) && result.sensitivity > rounding_decides)
+        if (has_lasting_proof(result) && result.sensitivity > most_sensitive(result))
             result.status = Status::rounding;
         result.cycles = sum_of_cycles(spent_, 0);
         co_return result;
@@ -197,6 +197,13 @@ class CellSolver {
             result = co_await with_all_terms(reach_of(result), tolerance);
         }
         co_return result;
+    }
+
+    // Above this sensitivity errors may have decided: those of rounding, or those that the tolerance allows
+    // kicks and integrators.
+    [[nodiscard]] double most_sensitive(const CellResult& found) const {
+        if (found.engine == Engine::exact) return rounding_decides;
+        return std::min(rounding_decides, std::log(harmless / solver_.tolerance));
     }
 
     // Tolerance of a search whose errors grow as in this one, so that they change no decision on its way.

@@ -41,7 +41,8 @@ const char* in_words(regime::Status status) {
         case Status::solver_failed:
             return "the integrator gave up";
         case Status::rounding:
-            return "rounding may decide the label: its errors grew by e^20 or more on the way";
+            return "rounding may decide the label: its errors grew by e^20 or more on the way, or those that "
+                   "solver.tolerance allows to 0.02 A0";
         case Status::imprecise:
             return "the peak force may be off by more than is allowed (solver.tolerance)";
         case Status::chaotic_so_far:

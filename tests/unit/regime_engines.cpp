@@ -165,17 +165,20 @@ TEST(AutomaticEngine, KeepsTheTermWhereItTurnsTheWay) {
     struct Place {
         double frequency, gap;
         int impacts, period;
+        Status status = Status::verified;
     };
-    for (const auto& [frequency, gap, impacts, period] : {Place{3.888235294117647, 1.2941176470588236, 4, 9},
-                                                          Place{1.6294117647058823, 2.235294117647059, 0, 1},
-                                                          Place{1.5666666666666667, 2.588235294117647, 0, 1}}) {
+    // the first one's growth leaves of the tolerance, 1e-9, more than 0.02 A0
+    for (const auto& [frequency, gap, impacts, period, status] :
+         {Place{3.888235294117647, 1.2941176470588236, 4, 9, Status::rounding},
+          Place{1.6294117647058823, 2.235294117647059, 0, 1},
+          Place{1.5666666666666667, 2.588235294117647, 0, 1}}) {
         SCOPED_TRACE(::testing::Message() << frequency << " " << gap);
         job::Job job = paper_job(238.23);
         job.columns = {frequency, 5, 2};
         job.rows = {gap, 5, 2};
         const CellResult kept = solve_cell(scene::Scene(job), 0, 0);
         EXPECT_EQ(kept.engine, Engine::split);
-        EXPECT_EQ(kept.status, Status::verified);
+        EXPECT_EQ(kept.status, status);
         EXPECT_EQ(kept.impacts, impacts);
         EXPECT_EQ(kept.period, period);
     }
