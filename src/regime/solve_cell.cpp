@@ -161,8 +161,12 @@ class CellSolver {
     // For a cell with a lasting proof.
     [[nodiscard]] bool may_have_another_label(const CellResult& without) const {
         const double effect = effect_of_cubic(cell_.oscillator, without.largest_displacement);
-        // How far the term moves the motion in a few cycles; exp(sensitivity) is the growth of that.
-        const double disturbance = 4 * effect / 3 * without.largest_displacement * cell_.oscillator.period();
+        // How far the term moves the motion in a few cycles; exp(sensitivity) is the growth of that. On a way
+        // with impacts, it went as far as the stop at least.
+        const double stop = without.last_impact != 0 ? std::abs(cell_.oscillator.gap) : 0;
+        const double reach = std::max(without.largest_displacement, stop);
+        const double disturbance =
+            4 * effect_of_cubic(cell_.oscillator, reach) / 3 * reach * cell_.oscillator.period();
         const bool may_turn =
             disturbance * std::exp(without.sensitivity) > harmless && without.sensitivity <= rounding_decides;
         return may_turn || is_near_its_edge(without, effect);

@@ -184,6 +184,22 @@ TEST(AutomaticEngine, KeepsTheTermWhereItTurnsTheWay) {
     }
 }
 
+// A way that struck a rigid stop, and swings within less without the term at last; with it, z = 1/1.
+TEST(AutomaticEngine, TakesTheTermsEffectAsFarAsTheWayWent) {
+    job::Job job;
+    job.hammer.mass_kg = 7.5146334882606425;
+    job.hammer.natural_frequency_hz = 7.015922035399417;
+    job.hammer.damping_ratio = 0.0021090179468262523;
+    job.hammer.cubic_stiffness_n_per_m3 = -95673.77339168735;
+    job.cart.amplitude_m = 0.0007194200285024795;
+    job.contact = job::Restitution{0.3};
+    job.columns = {1.7193647401512957, 5, 2};
+    job.rows = {1.9535259404287746, 5, 2};
+    const CellResult cell = solve_cell(scene::Scene(job), 0, 0);
+    EXPECT_EQ(cell.impacts, 1);  // Taylor series in 113 bits
+    EXPECT_EQ(cell.period, 1);
+}
+
 // A coarse search with the term ends on 3/2 although the way's growth is beyond what its errors allow; the
 // finer one tells that rounding decides.
 TEST(AutomaticEngine, VerifiesNothingThatItsErrorsMayHaveChosen) {
