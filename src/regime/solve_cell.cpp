@@ -107,7 +107,7 @@ class CellSolver {
     Task<CellResult> with_cubic_where_it_matters(CellResult without) {
         if (must_keep_cubic(without)) co_return co_await with_all_terms(reach_of(without), solver_.tolerance);
         if (!has_lasting_proof(without)) co_return without;
-        if (may_have_another_label(without)) co_return co_await with_cubic_if_it_turns(std::move(without));
+        if (may_have_another_label(without)) co_return co_await with_cubic_if_it_turns(without);
         if (without.regime != Regime::periodic) co_return without;
         const CubicShift shift = co_await shift_of(without);
         if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;

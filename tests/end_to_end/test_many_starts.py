@@ -181,13 +181,14 @@ def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
 
 
 def test_a_start_costs_few_cycles(tmp_path):
-    """Starts that use the cell's known orbits, and the fate of its chaos where impacts never end, take 77 here."""
+    """Starts that use the cell's known orbits, and the fate of its chaos where impacts never end, take 84 here, 6 of them to tell
+    whether the cubic spring turns the way."""
     points, count = 24, 64
     finished = launch.run("run", JOBS / "attractors_170mm.toml", "--quiet", "--output", "map.h5", "--set",
                           f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}", cwd=tmp_path)
     assert finished.returncode == 0, finished.stderr
     with h5py.File(tmp_path / "map.h5") as file:
-        assert file["cycles"][()].sum() < 80 * points**2 * count
+        assert file["cycles"][()].sum() < 88 * points**2 * count
 
 
 def test_check_tells_the_number_of_starts_and_their_memory(tmp_path):
