@@ -128,7 +128,13 @@ class CellSolver {
             }
             const double fit = fit_tolerance(with);
             const bool stays = same_label(with, without) && !changes_force(with, without);
-            if (stays && fit > tolerance / 2) co_return without;
+            if (stays && fit > tolerance / 2) {
+                if (with.sensitivity > most_sensitive(with)) {
+                    without.status = Status::rounding;
+                    without.sensitivity = with.sensitivity;
+                }
+                co_return without;
+            }
             tolerance = fit;
             reach = reach_of(with);
             if (!stays) break;

@@ -181,7 +181,7 @@ def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
 
 
 def test_a_start_costs_few_cycles(tmp_path):
-    """Starts that use the cell's known orbits, and the fate of its chaos where impacts never end, take 84 here, 6 of them to tell
+    """Starts that use the cell's known orbits, and the fate of its chaos where impacts never end, take 84 here, 7 of them to tell
     whether the cubic spring turns the way."""
     points, count = 24, 64
     finished = launch.run("run", JOBS / "attractors_170mm.toml", "--quiet", "--output", "map.h5", "--set",

@@ -184,6 +184,17 @@ TEST(AutomaticEngine, KeepsTheTermWhereItTurnsTheWay) {
     }
 }
 
+// Both ways lead to 7/12, but that with the term grows its search's errors beyond what is harmless; Taylor
+// series in long double don't settle there.
+TEST(AutomaticEngine, CallsNoLabelVerifiedThatItsOwnSearchMayHaveMissed) {
+    job::Job job = paper_job(238.23);
+    job.columns = {2.9941176470588236, 5, 2};
+    job.rows = {0.8627450980392157, 5, 2};
+    const CellResult cell = solve_cell(scene::Scene(job), 0, 0);
+    EXPECT_EQ(cell.engine, Engine::exact);
+    EXPECT_EQ(cell.status, Status::rounding);
+}
+
 // A way that struck a rigid stop, and swings within less without the term at last; with it, z = 1/1.
 TEST(AutomaticEngine, TakesTheTermsEffectAsFarAsTheWayWent) {
     job::Job job;
