@@ -76,6 +76,12 @@ MultiStartCell::MultiStartCell(const MapContext& context, std::int64_t row, std:
       cell_(context.scene.cell(row, column)),
       chaos_may_end_(cell_.oscillator.gap < 0 || may_stay_free(cell_.oscillator)) {}
 
+MultiStartCell::MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column,
+                               const scene::State<double>& start)
+    : MultiStartCell(context, row, column) {
+    cell_.start = start;
+}
+
 Task<SolvedCell> MultiStartCell::solve(SearchBroker& broker) {
     for (;;) {
         take_starts(co_await broker.searches(next_starts()));

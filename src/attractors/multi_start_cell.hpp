@@ -46,6 +46,9 @@ struct MapContext {
 class MultiStartCell {
   public:
     MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column);
+    // `start` takes the place of [start].
+    MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column,
+                   const scene::State<double>& start);
 
     // Solves the whole cell, round by round; the broker and this must outlive the task.
     [[nodiscard]] Task<SolvedCell> solve(SearchBroker& broker);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "regime/solve_cell.hpp"
 #include "support/expect.hpp"
 
 namespace peterka::attractors {
@@ -20,8 +21,23 @@ MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::Attracto
 void MultiStartPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     if (!searches_many_)
         return pool_.add(row, column, number);  // a single search, whose findings are not needed
-    auto open = std::make_unique<Open>(context_, row, column);
-    Open& cell = *cells_.emplace(number, std::move(open)).first->second;
+    open(number, {context_, row, column});
+}
+
+void MultiStartPool::add(std::int64_t row, std::int64_t column, const scene::State<double>& start,
+                         std::int64_t number) {
+    if (searches_many_) return open(number, {context_, row, column, start});
+    const scene::Cell cell{context_.scene.cell(row, column).oscillator, start};
+    pool_.add(
+        [&](CycleBroker& broker) {
+            return regime::outcome_of(
+                regime::solve_cell(broker, context_.scene.job(), cell, {.known = &context_.known}));
+        },
+        number);
+}
+
+void MultiStartPool::open(std::int64_t number, const MultiStartCell& begun) {
+    Open& cell = *cells_.emplace(number, std::make_unique<Open>(begun)).first->second;
     cell.task.start();
     begin_searches(number, cell);
     fill_pool();

@@ -33,6 +33,8 @@ class MultiStartPool {
     [[nodiscard]] bool has_room() const { return waiting_.empty() && pool_.has_room(); }
     [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
+    // `start` takes the place of [start].
+    void add(std::int64_t row, std::int64_t column, const scene::State<double>& start, std::int64_t number);
     void step();
     void spent_elsewhere(double seconds) { pool_.spent_elsewhere(seconds); }  // as in regime::SearchPool
     // Searches begun so far; in a cell with a single start, one that never meets the stop has none.
@@ -40,8 +42,7 @@ class MultiStartPool {
 
   private:
     struct Open {
-        Open(const MapContext& context, std::int64_t row, std::int64_t column)
-            : cell(context, row, column), task(cell.solve(broker)) {}
+        explicit Open(const MultiStartCell& begun) : cell(begun), task(cell.solve(broker)) {}
 
         SearchBroker broker;
         MultiStartCell cell;
@@ -56,6 +57,7 @@ class MultiStartPool {
         regime::Rigs rigs;
     };
 
+    void open(std::int64_t number, const MultiStartCell& begun);
     void begin_searches(std::int64_t number, Open& cell);
     void keep(regime::SearchPool::NumberedOutcome& search);
     void fill_pool();

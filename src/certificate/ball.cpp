@@ -1,9 +1,14 @@
 #include "certificate/ball.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace peterka::certificate {
 namespace {
 
 constexpr slong bits_of_double = 53;
+constexpr slong far = 1L << 28;  // as an exponent, beyond all that occur
 
 class Bound {
   public:
@@ -39,7 +44,7 @@ Ball::Ball(const Interval& x) : Ball() {
     Bound high;
     arf_set_d(low.get(), x.lo);
     arf_set_d(high.get(), x.hi);
-    arb_set_interval_arf(ball_, low.get(), high.get(), bits);
+    arb_set_interval_arf(ball_, low.get(), high.get(), bits());
 }
 
 double Ball::lowest() const {
@@ -62,6 +67,21 @@ double Ball::radius() const {
     arf_set_mag(bound.get(), arb_radref(ball_));
     return bound.above();
 }
+double Ball::radius_over(slong exponent) const {
+    Bound mantissa;
+    fmpz_t own;
+    fmpz_init(own);
+    arf_set_mag(mantissa.get(), arb_radref(ball_));
+    arf_frexp(mantissa.get(), own, mantissa.get());
+    fmpz_clear(own);
+    const slong shift = std::clamp<slong>(exponent_of_radius(), -far, far) - std::clamp(exponent, -far, far);
+    return std::ldexp(mantissa.above(), static_cast<int>(shift)) + std::numeric_limits<double>::denorm_min();
+}
+slong Ball::exponent_of_radius() const {
+    Bound bound;
+    arf_set_mag(bound.get(), arb_radref(ball_));
+    return arf_abs_bound_lt_2exp_si(bound.get());
+}
 Ball Ball::middle() const {
     return result_of([&](arb_ptr to) { arb_get_mid_arb(to, ball_); });
 }
@@ -74,37 +94,37 @@ Ball operator-(const Ball& a) {
     return result_of([&](arb_ptr to) { arb_neg(to, a.get()); });
 }
 Ball operator+(const Ball& a, const Ball& b) {
-    return result_of([&](arb_ptr to) { arb_add(to, a.get(), b.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_add(to, a.get(), b.get(), Ball::bits()); });
 }
 Ball operator-(const Ball& a, const Ball& b) {
-    return result_of([&](arb_ptr to) { arb_sub(to, a.get(), b.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_sub(to, a.get(), b.get(), Ball::bits()); });
 }
 Ball operator*(const Ball& a, const Ball& b) {
-    return result_of([&](arb_ptr to) { arb_mul(to, a.get(), b.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_mul(to, a.get(), b.get(), Ball::bits()); });
 }
 Ball operator/(const Ball& a, const Ball& b) {
-    return result_of([&](arb_ptr to) { arb_div(to, a.get(), b.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_div(to, a.get(), b.get(), Ball::bits()); });
 }
 Ball abs(const Ball& a) {
     return result_of([&](arb_ptr to) { arb_abs(to, a.get()); });
 }
 Ball square(const Ball& a) {
-    return result_of([&](arb_ptr to) { arb_sqr(to, a.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_sqr(to, a.get(), Ball::bits()); });
 }
 Ball sqrt(const Ball& a) {
-    return result_of([&](arb_ptr to) { arb_sqrt(to, a.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_sqrt(to, a.get(), Ball::bits()); });
 }
 Ball exp(const Ball& a) {
-    return result_of([&](arb_ptr to) { arb_exp(to, a.get(), Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_exp(to, a.get(), Ball::bits()); });
 }
 SineCosineOf<Ball> sine_cosine(const Ball& angle) {
     SineCosineOf<Ball> result;
-    arb_sin_cos(result.sine.get(), result.cosine.get(), angle.get(), Ball::bits);
+    arb_sin_cos(result.sine.get(), result.cosine.get(), angle.get(), Ball::bits());
     return result;
 }
 std::optional<Ball> common_part(const Ball& a, const Ball& b) {
     Ball result;
-    if (arb_intersection(result.get(), a.get(), b.get(), Ball::bits) == 0) return std::nullopt;
+    if (arb_intersection(result.get(), a.get(), b.get(), Ball::bits()) == 0) return std::nullopt;
     return result;
 }
 Ball box_around(const Ball& middle, double radius) {
@@ -115,7 +135,7 @@ Ball box_around(const Ball& middle, double radius) {
     return result;
 }
 Ball Constants<Ball>::pi() {
-    return result_of([&](arb_ptr to) { arb_const_pi(to, Ball::bits); });
+    return result_of([&](arb_ptr to) { arb_const_pi(to, Ball::bits()); });
 }
 
 }  // namespace peterka::certificate

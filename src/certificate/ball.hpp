@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "certificate/course.hpp"
 #include "certificate/interval.hpp"
@@ -15,7 +16,20 @@ namespace peterka::certificate {
 
 class Ball {
   public:
-    static constexpr slong bits = 448;
+    // Bits of the results of operations, until the end of the scope.
+    class Precision {
+      public:
+        explicit Precision(slong bits) : before_(std::exchange(bits_, bits)) {}
+        Precision(const Precision&) = delete;
+        Precision& operator=(const Precision&) = delete;
+        Precision(Precision&&) = delete;
+        Precision& operator=(Precision&&) = delete;
+        ~Precision() { bits_ = before_; }
+
+      private:
+        slong before_;
+    };
+    [[nodiscard]] static slong bits() { return bits_; }
 
     Ball() { arb_init(ball_); }
     Ball(double exact) : Ball() { arb_set_d(ball_, exact); }  // NOLINT: a double is a number
@@ -35,15 +49,18 @@ class Ball {
     [[nodiscard]] arb_srcptr get() const { return ball_; }
     [[nodiscard]] arb_ptr get() { return ball_; }
 
-    [[nodiscard]] double lowest() const;   // at or below all of it
-    [[nodiscard]] double highest() const;  // at or above all of it
-    [[nodiscard]] double size() const;     // at or above the largest |x|
-    [[nodiscard]] double radius() const;   // at or above it
+    [[nodiscard]] double lowest() const;                     // at or below all of it
+    [[nodiscard]] double highest() const;                    // at or above all of it
+    [[nodiscard]] double size() const;                       // at or above the largest |x|
+    [[nodiscard]] double radius() const;                     // at or above it
+    [[nodiscard]] double radius_over(slong exponent) const;  // at or above it over 2^exponent
+    [[nodiscard]] slong exponent_of_radius() const;          // it is below 2^this
     [[nodiscard]] Ball middle() const;
     [[nodiscard]] bool positive() const { return arb_is_positive(ball_) != 0; }
     [[nodiscard]] Interval hull() const;  // in doubles
 
   private:
+    static inline slong bits_ = 448;
     arb_t ball_;
 };
 
@@ -93,7 +110,7 @@ template <std::size_t terms>
 Ball coefficient_of_product(const std::array<Ball, terms>& a, const std::array<Ball, terms>& b, std::size_t n) {
     static_assert(sizeof(Ball) == sizeof(arb_struct));
     Ball sum;
-    arb_dot(sum.get(), nullptr, 0, a[0].get(), 1, b[n].get(), -1, static_cast<slong>(n + 1), Ball::bits);
+    arb_dot(sum.get(), nullptr, 0, a[0].get(), 1, b[n].get(), -1, static_cast<slong>(n + 1), Ball::bits());
     return sum;
 }
 template <>

@@ -1,5 +1,7 @@
 #include "certificate/certify.hpp"
 
+#include <array>
+
 #include "certificate/chatter.hpp"
 #include "certificate/leg_proof.hpp"
 #include "certificate/orbit_box.hpp"
@@ -26,6 +28,10 @@ Interval largest_impact_speed(const Places& places) {
     return largest;
 }
 
+// Of a way in many digits: a way that the first bits lose is followed once more with the second, where springs
+// are linear. With a cubic term the order of its Taylor series would have to grow, too, and the time tenfold.
+constexpr std::array<slong, 2> bits_of_ways = {448, 1792};
+
 // What a certificate is about, and what is to be proved.
 struct Case {
     Springs<Interval> springs;
@@ -33,26 +39,48 @@ struct Case {
     EnclosedStart<Interval> start;
     OfStart of_start;
     const job::CellNumbers* numbers;
-    std::optional<Springs<Ball>> fine = {};
+
+    double followed = 0;  // cycles of the last way, as far as it is proved
+    std::optional<SettledStart> elsewhere = {};
 
     // Whether a motion from the start is proved to lead where leads(way) says, in doubles or, if requested, in
-    // many digits.
-    template <class Leads>
-    [[nodiscard]] bool start_leads(Leads leads) {
+    // many digits; if not, `elsewhere` is where it leads, if known.
+    template <class Where>
+    [[nodiscard]] bool start_leads(Where leads) {
         if (of_start == OfStart::if_it_keeps_its_phase) return false;
-        return leads(way()) || (of_start == OfStart::in_many_digits && has_fine_springs() && leads(fine_way()));
+        Leads led = follow(leads, way());
+        if (of_start != OfStart::in_many_digits) return led == Leads::there;
+        for (const slong bits : bits_of_ways) {
+            if (led != Leads::unknown) break;
+            const Ball::Precision precision(bits);
+            const Springs<Ball> fine(*rig_of<Ball>(*numbers));
+            if (!chooses_same_direction(fine)) break;
+            const double before = followed;
+            led = follow(leads, fine_way(fine));
+            if (followed <= before || approximate.rig.cubic != 0) break;
+        }
+        return led == Leads::there;
     }
     [[nodiscard]] StartWay way() const { return {springs, approximate, from(start, springs.rig)}; }
 
   private:
-    // False where rounding chose another direction of the surface of releases, kappa and chi being next to
-    // equal.
-    [[nodiscard]] bool has_fine_springs() {
-        if (!fine) fine.emplace(*rig_of<Ball>(*numbers));
-        return fine->release.velocity.positive() == springs.release.velocity.positive();
+    template <class Where>
+    [[nodiscard]] Leads follow(Where where, StartWay way) {
+        const Leads leads = where(way);
+        followed = way.cycles();
+        if (leads == Leads::elsewhere) {
+            const Vector<double> settled = way.at_phase_0();
+            elsewhere = {settled.position + approximate.rig.gap, settled.velocity, followed};
+        }
+        return leads;
     }
-    [[nodiscard]] StartWay fine_way() const {
-        return {SpringsOf{&springs, &approximate, &*fine}, from(start_of<Ball>(*numbers), fine->rig)};
+    // Not so where rounding chose another direction of the surface of releases, kappa and chi being next to
+    // equal.
+    [[nodiscard]] bool chooses_same_direction(const Springs<Ball>& fine) const {
+        return fine.release.velocity.positive() == springs.release.velocity.positive();
+    }
+    [[nodiscard]] StartWay fine_way(const Springs<Ball>& fine) const {
+        return {SpringsOf{&springs, &approximate, &fine}, from(start_of<Ball>(*numbers), fine.rig)};
     }
     // A start on the surface is distinguished from one next to it only if both numbers are exact.
     template <class Number>
@@ -91,7 +119,7 @@ bool start_leads_to(Case& it, const EventChain& chain, const Places& places) {
     if (it.springs.rig.rigid && find_lift_off(it.springs))
         it.approximate.lift_off = it.springs.lift_off.middle();
     const std::optional<Trap> trap = find_trap(it.springs, it.approximate, chain, places);
-    return trap && it.start_leads([&](const StartWay& way) { return leads_to_orbit(way, *trap); });
+    return trap && it.start_leads([&](StartWay& way) { return leads_to_orbit(way, *trap); });
 }
 
 Certificate certify_orbit(Case& it, const StroboscopicOrbit& orbit) {
@@ -128,11 +156,12 @@ Certificate certify_steady(Case& it, bool presses) {
     if (!(motion->margin > 0)) return refused(Certified::not_surely_stable);
     const bool from_start =
         keeps_to_phase(springs, presses, *motion, it.way().leg(presses), std::nullopt) ||
-        it.start_leads([&](const StartWay& way) { return leads_to_steady(springs, way, presses, *motion); });
+        it.start_leads([&](StartWay& way) { return leads_to_steady(springs, way, presses, *motion); });
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .force_ratio = motion->force,
             .impact_speed = springs.rig.rigid ? Interval(0) : nothing(),
-            .stability_margin = motion->margin};
+            .stability_margin = motion->margin,
+            .last_event = it.followed};
 }
 
 bool has_theorem(cell::Regime regime) {
@@ -151,6 +180,7 @@ Certificate certify(const job::CellNumbers& numbers, const Claim& claim, OfStart
     Certificate certificate = claim.regime == cell::Regime::periodic
                                   ? certify_orbit(it, claim.orbit)
                                   : certify_steady(it, claim.regime == cell::Regime::sustained_contact);
+    if (certificate.verdict != Certified::start) certificate.elsewhere = it.elsewhere;
     if (certificate.force_ratio.hi > 0)
         certificate.force_ratio = certificate.force_ratio * force_ratio(numbers);
     if (certificate.impact_speed.hi > 0)

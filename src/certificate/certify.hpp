@@ -10,6 +10,8 @@
 // doubles. From previous computations it takes only the cell's label and state, as a guess.
 #pragma once
 
+#include <optional>
+
 #include "cell/labels.hpp"
 #include "certificate/find_chain.hpp"
 #include "job/cell_numbers.hpp"
@@ -21,11 +23,22 @@ struct Claim {
     StroboscopicOrbit orbit;  // where it is periodic
 };
 
+// Where the motion from a cell's start has settled, in doubles: a guess.
+struct SettledStart {
+    double displacement = 0;  // (x - y)/A0 at a forcing phase 0
+    double velocity = 0;      // (x' - y')/(A0 omega) there
+    double cycles = 0;        // from the start to the last event known before [forcing cycles]
+};
+
 struct Certificate {
     cell::Certified verdict = cell::Certified::not_tried;
     Interval force_ratio = nothing();   // the largest force F/(m g0); nothing() where a rigid stop is struck
     Interval impact_speed = nothing();  // of a rigid stop, the largest [m/s]
     double stability_margin = 0;        // lower bound (stability.hpp)
+    double last_event =
+        0;  // of no impact, where the start is proved to lead there: cycles up to its last event
+    // Where the start does not lead to the motion claimed: found while its way was followed.
+    std::optional<SettledStart> elsewhere = {};
     [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
 };
 

@@ -1,13 +1,14 @@
 #include "certificate/start_way.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "certificate/find_chain.hpp"
 
 namespace peterka::certificate {
 namespace {
 
-constexpr int most_events_of_a_way = 5000;
+constexpr int most_events_of_a_way = 20'000;
 constexpr double cycles_without_event = 60;
 constexpr double smallest_change = 1e-10;  // of a way that has not yet settled
 
@@ -70,8 +71,10 @@ StartWay::Step StartWay::go_on(double near) {
     if (walk.go_on(walk.time() + cycles_without_event * period, next) != Walk::End::event)
         return Step::no_event;
     sort_around(next, near, period);
-    at_ = next_at(next);
-    if (!at_) return Step::lost;
+    std::optional<Patch> end = next_at(next);
+    if (!end) return Step::lost;
+    at_ = std::move(end);
+    cycle_ += next.cycle;
     if (springs_->lift_off.positive()) rest_if_proved();
     return Step::proved;
 }
@@ -85,6 +88,7 @@ void StartWay::rest_if_proved() {
     if (!speed_before_rest(*springs_, impact, left)) return;
     at_ = patch_of(EventKind::lift_off, {springs_->lift_off, Interval(0)});
     if (fine_) fine_ = fine_patch_of(*at_);
+    cycle_ += static_cast<std::int64_t>(cycles);
 }
 
 Leg<Interval> StartWay::leg(bool presses) const {
@@ -93,37 +97,59 @@ Leg<Interval> StartWay::leg(bool presses) const {
     return {springs_->phase(presses), place.time, scaled(springs_->leaving(at_->event.kind), place.along)};
 }
 
-bool leads_to_orbit(StartWay way, const Trap& trap) {
+double StartWay::cycles() const {
+    return at_ ? static_cast<double>(cycle_) + at_->event.time / approximate_->rig.period : 0;
+}
+
+Vector<double> StartWay::at_phase_0() const {
+    if (!at_) return {start_.position.middle(), start_.velocity.middle()};
+    const double period = approximate_->rig.period;
+    const double phase_0 = std::ceil(at_->event.time / period) * period;
+    Walk walk = Walk::after(*approximate_, at_->event);
+    Event event;
+    for (int events = 0; events < most_events_of_a_way; ++events) {
+        const Walk::End end = walk.go_on(phase_0, event);
+        if (end != Walk::End::event) break;
+    }
+    return walk.state();
+}
+
+Leads leads_to_orbit(StartWay& way, const Trap& trap) {
     Repeats repeats(1e-3 * trap.radius);
     for (int events = 0; events < most_events_of_a_way; ++events) {
-        if (way.go_on(trap.event.time) != StartWay::Step::proved) return false;
-        if (trap.holds(*way.at())) return true;
-        if (repeats.now(way.at()->event)) return false;
+        const StartWay::Step step = way.go_on(trap.event.time);
+        if (step == StartWay::Step::lost) return Leads::unknown;
+        if (step == StartWay::Step::no_event) return Leads::elsewhere;
+        if (trap.holds(*way.at())) return Leads::there;
+        if (repeats.now(way.at()->event)) return Leads::elsewhere;
     }
-    return false;
+    return Leads::unknown;
 }
 
-bool leads_to_rest(StartWay way) {
-    Repeats repeats(smallest_change);
-    for (int events = 0; events < most_events_of_a_way; ++events) {
-        if (way.go_on(0) != StartWay::Step::proved) return false;
-        if (way.at()->event.kind == EventKind::lift_off) return true;
-        if (repeats.now(way.at()->event)) return false;
-    }
-    return false;
-}
-
-bool leads_to_steady(const Springs<Interval>& springs, StartWay way, bool presses, const SteadyMotion& motion) {
+Leads leads_to_rest(StartWay& way) {
     Repeats repeats(smallest_change);
     for (int events = 0; events < most_events_of_a_way; ++events) {
         const StartWay::Step step = way.go_on(0);
-        if (step == StartWay::Step::lost) return false;
-        if (step == StartWay::Step::proved && repeats.now(way.at()->event)) return false;
+        if (step == StartWay::Step::lost) return Leads::unknown;
+        if (step == StartWay::Step::no_event) return Leads::elsewhere;
+        if (way.at()->event.kind == EventKind::lift_off) return Leads::there;
+        if (repeats.now(way.at()->event)) return Leads::elsewhere;
+    }
+    return Leads::unknown;
+}
+
+Leads leads_to_steady(const Springs<Interval>& springs, StartWay& way, bool presses,
+                      const SteadyMotion& motion) {
+    Repeats repeats(smallest_change);
+    for (int events = 0; events < most_events_of_a_way; ++events) {
+        const StartWay::Step step = way.go_on(0);
+        if (step == StartWay::Step::lost) return Leads::unknown;
+        if (step == StartWay::Step::proved && repeats.now(way.at()->event)) return Leads::elsewhere;
         if (step == StartWay::Step::proved) continue;
         const auto from = way.at() ? std::optional(way.at()->event.kind) : std::nullopt;
-        return keeps_to_phase(springs, presses, motion, way.leg(presses), from);
+        return keeps_to_phase(springs, presses, motion, way.leg(presses), from) ? Leads::there : Leads::unknown;
     }
-    return false;
+    return Leads::unknown;
 }
 
 }  // namespace peterka::certificate

@@ -26,6 +26,10 @@ class StartWay {
     [[nodiscard]] Step go_on(double near);
 
     [[nodiscard]] const std::optional<Patch>& at() const { return at_; }  // none at the start
+    // From the start to that event, in doubles [forcing cycles].
+    [[nodiscard]] double cycles() const;
+    // The motion after that event at the next forcing phase 0, (delta, delta'), in doubles.
+    [[nodiscard]] Vector<double> at_phase_0() const;
     // The motion from there on, in this phase.
     [[nodiscard]] Leg<Interval> leg(bool presses) const;
 
@@ -38,6 +42,7 @@ class StartWay {
     Vector<Interval> start_;
     bool presses_;
     std::optional<Patch> at_;
+    std::int64_t cycle_ = 0;  // of at_, counted from the start
     const Springs<Ball>* fine_springs_ = nullptr;
     Vector<Ball> fine_start_;
     std::optional<FinePatch> fine_;  // within at_
@@ -45,9 +50,14 @@ class StartWay {
 
 // Whether the motion from a state at time 0 is proved to end in a trap; at rest on a rigid stop, from where all
 // motions follow the same way; or on a steady motion.
-[[nodiscard]] bool leads_to_orbit(StartWay way, const Trap& trap);
-[[nodiscard]] bool leads_to_rest(StartWay way);
-[[nodiscard]] bool leads_to_steady(const Springs<Interval>& springs, StartWay way, bool presses,
-                                   const SteadyMotion& motion);
+enum class Leads {
+    there,
+    elsewhere,  // in doubles: the way has been followed to where it hardly changes any more, and is not there
+    unknown
+};
+[[nodiscard]] Leads leads_to_orbit(StartWay& way, const Trap& trap);
+[[nodiscard]] Leads leads_to_rest(StartWay& way);
+[[nodiscard]] Leads leads_to_steady(const Springs<Interval>& springs, StartWay& way, bool presses,
+                                    const SteadyMotion& motion);
 
 }  // namespace peterka::certificate

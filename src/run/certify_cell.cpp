@@ -1,9 +1,11 @@
 #include "run/certify_cell.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "certificate/certify.hpp"
 #include "job/cell_numbers.hpp"
+#include "regime/same_orbit.hpp"
 #include "run/audit_sample.hpp"
 #include "scene/scales.hpp"
 
@@ -52,6 +54,10 @@ void put_into(const certificate::Certificate& certificate, Numbers& motion) {
     motion.stability_margin = certificate.stability_margin;
 }
 
+void tell_last_impact(double cycles, cell::CellResult& result) {
+    if (result.last_impact != cell::goes_on) result.last_impact = static_cast<std::int32_t>(std::ceil(cycles));
+}
+
 }  // namespace
 
 bool wants_certificate(const job::Job& job, std::int64_t row, std::int64_t column) {
@@ -68,18 +74,40 @@ bool wants_certificate(const job::Job& job, std::int64_t row, std::int64_t colum
     return false;
 }
 
-void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, cell::CellResult& result) {
-    if (!wants_certificate(job, row, column)) return;
+std::optional<certificate::SettledStart> certify_cell(const job::Job& job, std::int64_t row,
+                                                      std::int64_t column, cell::CellResult& result) {
+    if (!wants_certificate(job, row, column)) return std::nullopt;
     const bool starts = begins_at_start(job, row);
     const job::CellNumbers numbers = job::numbers_at(job, row, column);
     const certificate::Certificate certificate = certificate::certify(
         numbers, claim_of(result), starts ? of_start(job.certificate) : OfStart::if_it_keeps_its_phase);
     put_into(certificate, result);
-    if (!certificate.proved()) return;
+    if (!certificate.proved()) return std::nullopt;
     if (!starts) result.certified = cell::Certified::orbit;
-    if (result.certified == cell::Certified::start && result.status == cell::Status::rounding)
+    if (result.certified == cell::Certified::start && result.status == cell::Status::rounding) {
         result.status =
             status_of_force(job, certificate, scene::scales_of(numbers).force_ratio() * result.peak_force);
+        tell_last_impact(certificate.last_event, result);
+    }
+    return certificate.elsewhere;
+}
+
+scene::State<double> start_of_search(const scene::Cell& cell, const certificate::SettledStart& settled) {
+    return {settled.displacement - cell.oscillator.gap, settled.velocity};
+}
+
+bool replaces(const job::Job& job, std::int64_t row, std::int64_t column,
+              const certificate::SettledStart& settled, const cell::CellResult& result,
+              cell::CellResult& there) {
+    if (same_label(result, there) && regime::same_orbit(result, there)) return false;
+    certify_cell(job, row, column, there);
+    if (there.certified != cell::Certified::start) return false;
+    there.sensitivity = result.sensitivity;
+    const std::int64_t cycles = std::int64_t{result.cycles} + there.cycles;
+    there.cycles =
+        static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
+    tell_last_impact(settled.cycles, there);
+    return true;
 }
 
 void certify_attractor(const job::Job& job, std::int64_t row, std::int64_t column,

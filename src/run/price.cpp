@@ -181,7 +181,7 @@ std::string time_price(const job::Job& job) {
 
 // On one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,
 // 1.4 ms with the cubic term, 0.02 and 0.08 ms for a motion without impact; the way from the start to an orbit
-// 1.6 and 24 ms more; one that doubles lose, some one in eighty there, 0.4 and 3 s in many digits.
+// 1.6 and 24 ms more; one that doubles lose, some one in a hundred there, 0.3 and 3 s in many digits.
 std::string certificate_price(const job::Job& job) {
     const std::int64_t cells = std::min(job.certificate.cells, job.cells());
     if (cells == 0 || job.kind == job::Kind::curves) return "";
@@ -198,7 +198,7 @@ std::string certificate_price(const job::Job& job) {
     if (job.certificate.many_digits) {
         text +=
             fmt::format("#   proofs   in many digits: some {} of one core for each start that doubles lose\n",
-                        readable_duration(rig.cubic == 0 ? 0.4 : 3));
+                        readable_duration(rig.cubic == 0 ? 0.3 : 3));
     }
     if (job.certificate.attractors) {
         text += fmt::format(

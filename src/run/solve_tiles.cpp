@@ -20,6 +20,7 @@ class TileSolver {
     TileSolver(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
                parallel::TileSource& source)
         : scene_(scene),
+          known_(known),
           work_(work),
           source_(source),
           elasticities_(scene.job()),
@@ -78,7 +79,7 @@ class TileSolver {
         const auto [row, column] = open.cells[i];
         if (elasticities_.any() || scene_.job().noise.any() || wants_certificate(scene_.job(), row, column)) {
             const Stopwatch afterwards;  // reading the clock takes as long as solving a cell without impact
-            certify_cell(scene_.job(), row, column, open.results[i].cell);
+            certify(row, column, open.results[i]);
             add_mean_life(scene_, row, column, open.results[i].cell);
             for (attractors::CellAttractor& attractor : open.results[i].attractors) {
                 certify_attractor(scene_.job(), row, column, attractor);
@@ -93,9 +94,27 @@ class TileSolver {
         solve(open, work_.go_on(open.tile, open.results, open.seconds));
     }
 
+    void certify(std::int64_t row, std::int64_t column, attractors::SolvedCell& solved) const {
+        const auto settled = certify_cell(scene_.job(), row, column, solved.cell);
+        if (!settled) return;
+        attractors::SolvedCell there =
+            solve_from(row, column, start_of_search(scene_.cell(row, column), *settled));
+        if (replaces(scene_.job(), row, column, *settled, solved.cell, there.cell)) solved = std::move(there);
+    }
+    [[nodiscard]] attractors::SolvedCell solve_from(std::int64_t row, std::int64_t column,
+                                                    const scene::State<double>& start) const {
+        attractors::SolvedCell solved;
+        attractors::MultiStartPool pool(scene_, known_,
+                                        [&](auto numbered) { solved = std::move(numbered.cell); });
+        pool.add(row, column, start, 0);
+        while (!pool.empty()) pool.step();
+        return solved;
+    }
+
     static constexpr std::int64_t most_cells = 1 << 24;  // of a tile at a time
 
     const scene::Scene& scene_;
+    const regime::AttractorTable& known_;
     const TileWork& work_;
     parallel::TileSource& source_;
     RequestedElasticities elasticities_;

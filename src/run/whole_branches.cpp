@@ -6,6 +6,8 @@
 
 #include "attractors/along_branch.hpp"
 #include "regime/branch.hpp"
+#include "regime/scalar_engine.hpp"
+#include "regime/solve_cell.hpp"
 #include "run/certify_cell.hpp"
 #include "run/elasticities.hpp"
 #include "run/mean_lives.hpp"
@@ -42,6 +44,22 @@ void tell_of_rigs(std::vector<BranchPoint>& branches, const std::vector<PointAtt
     }
 }
 
+void certify(const scene::Scene& scene, std::int64_t row, std::int64_t column, BranchPoint& point,
+             const parallel::Poll& poll) {
+    const auto settled = certify_cell(scene.job(), row, column, point.cell);
+    if (!settled) return;
+    scene::Cell cell = scene.cell(row, column);
+    cell.start = start_of_search(cell, *settled);
+    regime::SteadyMotion motion(static_cast<std::size_t>(scene.job().sweep.samples));
+    regime::CycleBroker broker;
+    const Task<regime::CellResult> search = regime::solve_cell(broker, scene.job(), cell, {}, &motion);
+    regime::run(search, broker, poll);
+    regime::CellResult there = search.result();
+    if (!replaces(scene.job(), row, column, *settled, point.cell, there)) return;
+    point.cell = there;
+    point.motion = std::move(motion);
+}
+
 }  // namespace
 
 std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whole_branches(
@@ -60,10 +78,12 @@ std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whol
             std::vector<BranchPoint> branch = regime::follow_branch(scene, row, poll);
             for (std::size_t column = 0; column < branch.size(); ++column) {
                 poll();
-                certify_cell(scene.job(), row, static_cast<std::int64_t>(column), branch[column].cell);
+                certify(scene, row, static_cast<std::int64_t>(column), branch[column], poll);
                 elasticities.add_to(row, static_cast<std::int64_t>(column), branch[column].cell);
                 add_mean_life(scene, row, static_cast<std::int64_t>(column), branch[column].cell);
             }
+            if (scene.job().certificate.starts)
+                regime::mark_jumps(branch, scene.job().sweep.branch(row).direction);
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));
         }

@@ -125,6 +125,67 @@ def test_many_digits_settle_labels_that_rounding_decides(tmp_path):
     assert np.count_nonzero(settled) > 3 and np.all(digits["certified"][settled] == START)
     assert np.all(doubles["certified"][settled] == ORBIT) and np.all(digits["certified"][doubles["certified"] == START] == START)
 
+
+PLACE = {"frequency_ratio": 2.057894736842105, "gap_ratio": 1.5789473684210527}
+
+
+def solved_at_place(folder, name, more="", digits="true", kind="map", axes=None):
+    """The datasets of the cell where rounding leads to no impact, and the exact motion to 2/3."""
+    axes = axes or {axis: (value, value, 1) for axis, value in PLACE.items()}
+    (folder / f"{name}.toml").write_text(
+        jobs.RIG.format(kind=kind, title="led elsewhere") + "".join(jobs.axis(axis, *values) for axis, values in axes.items()) + more
+        + f'[certificate]\ncells = "all"\nstarts = {digits}\nmany_digits = {digits}\n')
+    finished = launch.run("run", f"{name}.toml", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    return {key: np.squeeze(value) for key, value in read(folder / f"{name}.h5").items()}
+
+
+def test_a_label_is_that_of_the_motion_to_which_the_start_is_proved_to_lead(tmp_path):
+    """An integrator of 113 bits finds 2/3 from this start, with the job's exact numbers."""
+    fields = '[output]\nfields = ["critical_kick", "last_impact", "multiplier", "orbit", "sensitivity"]\n'
+    led = solved_at_place(tmp_path, "led", fields, "false")
+    assert (led["regime"], led["status"]) == (0, ROUNDING) and led["last_impact"] > 0
+    proved = solved_at_place(tmp_path, "proved", fields)
+    assert (proved["regime"], proved["impacts"], proved["period"]) == (1, 2, 3)
+    assert (proved["status"], proved["certified"], proved["last_impact"]) == (0, START, -1)
+    assert proved["sensitivity"] == led["sensitivity"] > 20 and proved["cycles"] > led["cycles"]
+    force = proved["peak_force_ratio"]
+    assert proved["peak_force_lower_ratio"] * (1 - 1e-9) < force < proved["peak_force_upper_ratio"] * (1 + 1e-9)
+    assert 0 < proved["multiplier"] < 1 and proved["critical_kick"] > 0 and np.isnan(led["critical_kick"])
+    from_orbit = solved_at_place(tmp_path, "from_orbit", fields + f'[start]\ndisplacement_ratio = {float(proved["orbit_displacement"])!r}\n'
+                                 f'velocity_ratio = {float(proved["orbit_velocity"] + PLACE["frequency_ratio"])!r}\n')
+    for name in ("regime", "impacts", "period", "certified"):
+        assert from_orbit[name] == proved[name]
+    for name in ("peak_force_ratio", "multiplier", "critical_kick", "impact_rate"):
+        assert from_orbit[name] == pytest.approx(proved[name], rel=1e-6)
+    without_fields = solved_at_place(tmp_path, "without_fields")
+    for name in ("regime", "impacts", "period", "certified", "status", "peak_force_ratio"):
+        assert without_fields[name] == proved[name]
+
+
+def test_a_start_proved_to_lead_elsewhere_names_its_attractor(tmp_path):
+    led = solved_at_place(tmp_path, "led", many_starts.table(16), "false")
+    proved = solved_at_place(tmp_path, "proved", many_starts.table(16))
+    for name in ("attractors", "attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share"):
+        assert np.array_equal(led[name], proved[name], equal_nan=True), name
+    slot = proved["start_attractor"]
+    assert led["start_attractor"] != slot and led["attractor_regime"][led["start_attractor"]] == 0
+    assert (proved["attractor_impacts"][slot], proved["attractor_period"][slot]) == (2, 3)
+    assert proved["attractor_peak_force_ratio"][slot] == pytest.approx(proved["peak_force_ratio"], rel=1e-9)
+
+
+def test_a_point_of_a_sweep_is_that_to_which_its_start_is_proved_to_lead(tmp_path):
+    at = PLACE["frequency_ratio"]
+    sweep = f'[sweep]\ngap_ratio = [{PLACE["gap_ratio"]}]\ndirection = "independent"\nsamples = 8\n'
+    led, proved = (solved_at_place(tmp_path, name, sweep, digits, "sweep", {"frequency_ratio": (at, at + 0.025, 6)})
+                   for name, digits in (("led", "false"), ("proved", "true")))
+    assert led["regime"][0] == 0 and np.all(led["certified"][1:3] >= ORBIT)
+    assert (proved["impacts"][0], proved["period"][0], proved["certified"][0], proved["status"][0]) == (2, 3, START, 0)
+    assert np.count_nonzero(np.isfinite(proved["impact_velocity"][0])) > np.count_nonzero(np.isfinite(led["impact_velocity"][0]))
+    assert len(np.unique(np.round(proved["stroboscopic_displacement"][0], 6))) == 3 + np.any(np.isnan(proved["stroboscopic_displacement"][0]))
+    assert np.flatnonzero(led["jump"]).tolist() == [1, 3] and np.flatnonzero(proved["jump"]).tolist() == [3]
+
+
 def test_starts_of_a_basin_are_proved_to_lead_to_its_attractors(tmp_path):
     jobs.write(tmp_path, jobs.small_basin() + '[certificate]\ncells = "all"\nstarts = true\n')
     finished = launch.run("run", "job.toml", cwd=tmp_path)

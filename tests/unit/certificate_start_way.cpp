@@ -297,6 +297,71 @@ TEST(StartWay, InManyDigitsLongWaysAreProved) {
     EXPECT_EQ(certify(place.numbers, claim, OfStart::in_many_digits).verdict, Certified::start);
 }
 
+// By then errors would have grown by more than e^500: neither 448 bits nor the exponents of doubles carry it.
+TEST(StartWay, InMoreDigitsLongerWaysAreProved) {
+    const SolvedPlace place = testing::solved_at(3.994736842105263, 1.1578947368421053);
+    EXPECT_EQ(place.cell.regime, cell::Regime::no_impact);
+    const Certificate certificate = certify(place.numbers, claim_of(place.cell), OfStart::in_many_digits);
+    EXPECT_EQ(certificate.verdict, Certified::start);
+    EXPECT_GT(certificate.last_event, 1800);
+    EXPECT_FALSE(certificate.elsewhere.has_value());
+}
+
+// Up to where 448 bits lose the way: their set contains the motion as more digits know it, though it has grown
+// from 1e-135 to a size that doubles show.
+TEST(StartWay, SetsOfFewerDigitsContainTheMotionKnownWithMore) {
+    const job::CellNumbers numbers = testing::numbers_170mm(3.994736842105263, 1.1578947368421053);
+    const Rig rig = rig_of(numbers).value();
+    const Springs<Interval> springs(rig);
+    const Springs<double> approximate(middle(rig));
+    const auto springs_with = [&](slong bits) {
+        const Ball::Precision precision(bits);
+        return Springs<Ball>(rig_of<Ball>(numbers).value());
+    };
+    const Springs<Ball> few = springs_with(448);
+    const Springs<Ball> many = springs_with(1792);
+    const auto way_with = [&](const Springs<Ball>& fine) {
+        return StartWay({&springs, &approximate, &fine}, {-fine.rig.gap, -fine.rig.frequency});
+    };
+    StartWay way = way_with(few);
+    StartWay exact_way = way_with(many);
+    double largest = 0;
+    while (way.go_on(0) == StartWay::Step::proved) {
+        const Ball::Precision precision(1792);
+        ASSERT_EQ(exact_way.go_on(0), StartWay::Step::proved);
+        const Place<Interval> set = way.at()->hull();
+        const Place<Interval> exact = exact_way.at()->hull();
+        ASSERT_FALSE(set.time.apart(exact.time)) << "cycle " << way.cycles();
+        ASSERT_FALSE(set.along.apart(exact.along)) << "cycle " << way.cycles();
+        EXPECT_LE(exact.time.radius(), 1e-15);
+        largest = std::max(largest, set.time.radius());
+    }
+    EXPECT_GT(way.cycles(), 1000);
+    EXPECT_GT(largest, 1e-9);
+}
+
+// Rounding leads the search to no impact; so does an integrator of 113 bits if the rig's numbers are rounded to
+// doubles, but with the exact ones it finds 2/3.
+TEST(StartWay, TellsWhereAStartLeadsInstead) {
+    const SolvedPlace place = testing::solved_at(2.057894736842105, 1.5789473684210527);
+    ASSERT_EQ(place.cell.regime, cell::Regime::no_impact);
+    const auto in = [&](OfStart digits) { return certify(place.numbers, claim_of(place.cell), digits); };
+    EXPECT_FALSE(in(OfStart::through_impacts).elsewhere.has_value());
+    const Certificate certificate = in(OfStart::in_many_digits);
+    EXPECT_EQ(certificate.verdict, Certified::orbit);
+    ASSERT_TRUE(certificate.elsewhere.has_value());
+    EXPECT_GT(certificate.elsewhere->cycles, 100);
+    const scene::Oscillator<double> oscillator = testing::oscillator_at(place.numbers);
+    const cell::CellResult there = regime::find_steady_state(
+        oscillator, {certificate.elsewhere->displacement - oscillator.gap, certificate.elsewhere->velocity}, {},
+        {});
+    EXPECT_EQ(there.regime, cell::Regime::periodic);
+    EXPECT_EQ(there.impacts, 2);
+    EXPECT_EQ(there.period, 3);
+    EXPECT_LT(there.sensitivity, 3) << "it has settled";
+    EXPECT_EQ(certify(place.numbers, claim_of(there), OfStart::in_many_digits).verdict, Certified::start);
+}
+
 TEST(Trap, HoldsWhatLiesInItsDiscAlone) {
     const Trap trap{{EventKind::touch, 0, 2, 3},
                     {Interval(2), Interval(3)},

@@ -38,6 +38,53 @@ TEST(CertifyCell, AProvedStartTakesRoundingFromTheStatusAndNothingElse) {
     EXPECT_EQ(certified(false, rounding, 1), rounding);
 }
 
+// Both motions exist in this cell; its start leads to 2/3, and rounding led a search to no impact.
+TEST(CertifyCell, AResultIsReplacedOnlyByOneToWhichTheStartIsProvedToLead) {
+    job::Job job = job_with_proofs(true);
+    job.columns = {2.057894736842105, 2.1, 2, job::Spacing::linear};
+    job.rows = {1.5789473684210527, 1.6, 2, job::Spacing::linear};
+    job.certificate.many_digits = true;
+    cell::CellResult result = testing::solved_at(2.057894736842105, 1.5789473684210527).cell;
+    ASSERT_EQ(result.regime, cell::Regime::no_impact);
+    result.status = cell::Status::rounding;
+    const auto settled = certify_cell(job, 0, 0, result);
+    ASSERT_TRUE(settled.has_value());
+    EXPECT_EQ(result.status, cell::Status::rounding);
+
+    const scene::Cell cell = scene::Scene(job).cell(0, 0);
+    const auto from = [&](const scene::State<double>& start) {
+        return regime::find_steady_state(cell.oscillator, start, {}, {});
+    };
+    const cell::CellResult found = from(start_of_search(cell, *settled));
+    cell::CellResult there = found;
+    ASSERT_TRUE(replaces(job, 0, 0, *settled, result, there));
+    EXPECT_EQ(there.impacts, 2);
+    EXPECT_EQ(there.period, 3);
+    EXPECT_EQ(there.certified, cell::Certified::start);
+    EXPECT_EQ(there.sensitivity, result.sensitivity);
+    EXPECT_EQ(there.cycles, result.cycles + found.cycles);
+    EXPECT_EQ(there.last_impact, cell::goes_on);
+
+    cell::CellResult same = result;
+    EXPECT_FALSE(replaces(job, 0, 0, *settled, result, same)) << "the same motion";
+    cell::CellResult free = result;
+    EXPECT_FALSE(replaces(job, 0, 0, *settled, found, free)) << "the start does not lead there";
+}
+
+// The search, led by rounding, had its last impact in another cycle.
+TEST(CertifyCell, TheLastImpactIsThatOfTheProvedWay) {
+    job::Job job = job_with_proofs(true);
+    job.columns = {3.994736842105263, 4.1, 2, job::Spacing::linear};
+    job.rows = {1.1578947368421053, 1.2, 2, job::Spacing::linear};
+    job.certificate.many_digits = true;
+    cell::CellResult result = testing::solved_at(3.994736842105263, 1.1578947368421053).cell;
+    result.status = cell::Status::rounding;
+    EXPECT_LT(result.last_impact, 1000);
+    certify_cell(job, 0, 0, result);
+    EXPECT_EQ(result.status, cell::Status::verified);
+    EXPECT_EQ(result.last_impact, 1932);
+}
+
 cell::CellAttractor attractor_of(const cell::CellResult& motion) {
     return {.regime = motion.regime,
             .impacts = motion.impacts,

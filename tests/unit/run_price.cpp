@@ -24,7 +24,7 @@ TEST(Price, ProofsCostNothingWhereNoneAreAskedForOrThereIsNoTheorem) {
     job.certificate.many_digits = true;
     EXPECT_EQ(certificate_price(job),
               "#   proofs   of 200 cells: 340.0 ms of one core, or less\n"
-              "#   proofs   in many digits: some 400.0 ms of one core for each start that doubles lose\n");
+              "#   proofs   in many digits: some 300.0 ms of one core for each start that doubles lose\n");
     job.certificate.many_digits = false;
     job.certificate.starts = false;
     job.contact = job::Restitution{.coefficient = 0.5};
