@@ -36,8 +36,8 @@ void MultiStartPool::add(std::int64_t row, std::int64_t column, const scene::Sta
         number);
 }
 
-void MultiStartPool::open(std::int64_t number, const MultiStartCell& begun) {
-    Open& cell = *cells_.emplace(number, std::make_unique<Open>(begun)).first->second;
+void MultiStartPool::open(std::int64_t number, MultiStartCell begun) {
+    Open& cell = *cells_.emplace(number, std::make_unique<Open>(std::move(begun))).first->second;
     cell.task.start();
     begin_searches(number, cell);
     fill_pool();

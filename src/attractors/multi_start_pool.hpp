@@ -42,7 +42,7 @@ class MultiStartPool {
 
   private:
     struct Open {
-        explicit Open(const MultiStartCell& begun) : cell(begun), task(cell.solve(broker)) {}
+        explicit Open(MultiStartCell begun) : cell(std::move(begun)), task(cell.solve(broker)) {}
 
         SearchBroker broker;
         MultiStartCell cell;
@@ -57,7 +57,7 @@ class MultiStartPool {
         regime::Rigs rigs;
     };
 
-    void open(std::int64_t number, const MultiStartCell& begun);
+    void open(std::int64_t number, MultiStartCell begun);
     void begin_searches(std::int64_t number, Open& cell);
     void keep(regime::SearchPool::NumberedOutcome& search);
     void fill_pool();

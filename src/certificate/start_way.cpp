@@ -1,7 +1,6 @@
 #include "certificate/start_way.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "certificate/find_chain.hpp"
 
@@ -71,9 +70,9 @@ StartWay::Step StartWay::go_on(double near) {
     if (walk.go_on(walk.time() + cycles_without_event * period, next) != Walk::End::event)
         return Step::no_event;
     sort_around(next, near, period);
-    std::optional<Patch> end = next_at(next);
+    const std::optional<Patch> end = next_at(next);
     if (!end) return Step::lost;
-    at_ = std::move(end);
+    at_ = end;
     cycle_ += next.cycle;
     if (springs_->lift_off.positive()) rest_if_proved();
     return Step::proved;
