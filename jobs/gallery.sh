@@ -36,6 +36,9 @@ END
 for name in "${order[@]}"; do
     job=jobs/gallery/$name.toml picture=$(field "jobs/gallery/$name.toml" picture)
     run_timed "$job" "$work/$name.h5" "$work/$name.txt" || { cat "$work/$name.txt.words" >&2; exit 1; }
+    tr '|' '\n' <<<"$(field "$job" told)" | while read -r line; do
+        grep -q -E "$line" "$work/$name.txt" || { echo "$job: no line of its summary is told by '$line'" >&2; exit 1; }
+    done
     /usr/bin/python3 postprocess/draw.py "$work/$name.h5" --only "$picture" --units si --format png --dpi 130 --output-dir "$work" >/dev/null
     mv "$work/${name}_$picture.png" "$folder/gallery/$name.png"
     {
