@@ -19,6 +19,15 @@ job::Job job_with_proofs(bool starts) {
     return job;
 }
 
+// Its first cell is at this place.
+job::Job job_in_many_digits(double frequency_ratio, double gap_ratio) {
+    job::Job job = job_with_proofs(true);
+    job.columns = {frequency_ratio, frequency_ratio + 0.1, 2, job::Spacing::linear};
+    job.rows = {gap_ratio, gap_ratio + 0.1, 2, job::Spacing::linear};
+    job.certificate.many_digits = true;
+    return job;
+}
+
 TEST(CertifyCell, AProvedStartTakesRoundingFromTheStatusAndNothingElse) {
     const cell::CellResult solved = testing::solved_at(2.0, 0.5).cell;
     ASSERT_EQ(solved.regime, cell::Regime::periodic);
@@ -40,10 +49,7 @@ TEST(CertifyCell, AProvedStartTakesRoundingFromTheStatusAndNothingElse) {
 
 // Both motions exist in this cell; its start leads to 2/3, and rounding led a search to no impact.
 TEST(CertifyCell, AResultIsReplacedOnlyByOneToWhichTheStartIsProvedToLead) {
-    job::Job job = job_with_proofs(true);
-    job.columns = {2.057894736842105, 2.1, 2, job::Spacing::linear};
-    job.rows = {1.5789473684210527, 1.6, 2, job::Spacing::linear};
-    job.certificate.many_digits = true;
+    const job::Job job = job_in_many_digits(2.057894736842105, 1.5789473684210527);
     cell::CellResult result = testing::solved_at(2.057894736842105, 1.5789473684210527).cell;
     ASSERT_EQ(result.regime, cell::Regime::no_impact);
     result.status = cell::Status::rounding;
@@ -73,10 +79,7 @@ TEST(CertifyCell, AResultIsReplacedOnlyByOneToWhichTheStartIsProvedToLead) {
 
 // The search, led by rounding, had its last impact in another cycle.
 TEST(CertifyCell, TheLastImpactIsThatOfTheProvedWay) {
-    job::Job job = job_with_proofs(true);
-    job.columns = {3.994736842105263, 4.1, 2, job::Spacing::linear};
-    job.rows = {1.1578947368421053, 1.2, 2, job::Spacing::linear};
-    job.certificate.many_digits = true;
+    const job::Job job = job_in_many_digits(3.994736842105263, 1.1578947368421053);
     cell::CellResult result = testing::solved_at(3.994736842105263, 1.1578947368421053).cell;
     result.status = cell::Status::rounding;
     EXPECT_LT(result.last_impact, 1000);
