@@ -14,7 +14,8 @@ using regime::Regime;
 
 auto canonical_key(const Attractor& attractor) {
     const quantities::StoredCell& cell = attractor.cell;
-    return std::tuple(cell.regime, cell.period, cell.impacts, cell.peak_force, cell.orbit_displacement,
+    const double force = std::isnan(cell.peak_force) ? 0 : cell.peak_force;  // a rigid stop has none
+    return std::tuple(cell.regime, cell.period, cell.impacts, force, cell.orbit_displacement,
                       cell.orbit_velocity);
 }
 
@@ -27,8 +28,7 @@ bool has_attractor(const quantities::StoredCell& cell) {
         case Regime::sustained_contact:
             return true;
         case Regime::periodic:
-            return std::isfinite(cell.orbit_displacement) && std::isfinite(cell.orbit_velocity) &&
-                   std::isfinite(cell.peak_force);
+            return std::isfinite(cell.orbit_displacement) && std::isfinite(cell.orbit_velocity);
         case Regime::unresolved:
         case Regime::failed:
             break;
@@ -44,7 +44,7 @@ std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCe
 }
 
 void sort_canonically(std::vector<Attractor>& table) {
-    // Only periodic rows share a regime, and all their numbers are finite (has_attractor), so `<` orders them.
+    // Only periodic rows share a regime, and none of their numbers is NaN (has_attractor), so `<` orders them.
     std::ranges::sort(table, {}, canonical_key);
 }
 

@@ -26,7 +26,8 @@ inline constexpr std::int32_t no_attractor = -1;
 // The first row that the cell belongs to; no_attractor if there is none.
 [[nodiscard]] std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCell& cell);
 
-// By regime, q, p, peak force, displacement, velocity: a numbering that follows from the attractors alone.
+// By regime, q, p, peak force (none on rigid stops), displacement, velocity: a numbering that follows from the
+// attractors alone.
 void sort_canonically(std::vector<Attractor>& table);
 
 }  // namespace peterka::findings

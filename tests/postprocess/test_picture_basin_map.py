@@ -70,6 +70,19 @@ def test_two_attractors_of_a_class_never_read_the_same(tmp_path):
     assert [text.split("= ")[2].split(" (")[0] for text in texts[:4]] == ["41.251", "41.253", "41.25", "41.25"]
 
 
+def test_two_attractors_of_a_class_on_a_rigid_stop_are_told_apart_by_their_orbits(tmp_path):
+    table = [row(1, 1, 1, np.nan, 8, displacement=-1.5), row(1, 1, 1, np.nan, 4, displacement=-1.50003), row(1, 1, 2, np.nan, 4)]
+    cells, numbers = [[orbit(1, 1)] * 4] * 3 + [[orbit(1, 2)] * 4], [[0] * 4, [0] * 4, [1] * 4, [2] * 4]
+    path = write_basin(tmp_path / "a.h5", cells, table, numbers)
+    with PeterkaFile(path) as file:
+        texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
+    assert texts[:3] == ["$z$ = 1/1, $u/A_0$ = -1.5 (50.0 %)", "$z$ = 1/1, $u/A_0$ = -1.50003 (25.0 %)", "$z$ = 1/2 (25.0 %)"]
+    path = write_basin(tmp_path / "b.h5", cells, table, numbers, natural_frequency_hz=5.25, cart_amplitude_m=0.89e-3)
+    with PeterkaFile(path) as file, style.using(units="si"):
+        texts = Drawn(basin_map.draw_attractors(file), tmp_path / "b.png").legend_texts()
+    assert texts[:2] == ["$z$ = 1/1, $u$ = -1.335 mm (50.0 %)", "$z$ = 1/1, $u$ = -1.33503 mm (25.0 %)"]
+
+
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
     # At phase 0 the cart moves at A0 Omega: the relative velocity -1 corresponds to a start of -1 + 1.8.
     marks = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").map_axes.lines

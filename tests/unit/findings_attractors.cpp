@@ -15,6 +15,8 @@ namespace {
 using regime::Regime;
 using regime::same_attractor;
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 quantities::StoredCell orbit(std::int32_t impacts, std::int32_t period, double displacement, double velocity,
                              double force = 1) {
     quantities::StoredCell cell;
@@ -41,7 +43,20 @@ TEST(OutputAttractors, OnlyProvedRegimesHaveOne) {
     EXPECT_FALSE(has_attractor(of_regime(Regime::unresolved)));
     EXPECT_FALSE(has_attractor(of_regime(Regime::failed)));
     EXPECT_FALSE(has_attractor(of_regime(static_cast<Regime>(regime::regime_not_computed))));
-    EXPECT_FALSE(has_attractor(orbit(1, 1, std::numeric_limits<double>::quiet_NaN(), 0)));
+    EXPECT_FALSE(has_attractor(orbit(1, 1, no_number, 0)));
+    EXPECT_FALSE(has_attractor(orbit(1, 1, 0, no_number)));
+}
+
+TEST(OutputAttractors, OrbitsOfRigidStopsHaveOneWithoutAForce) {
+    EXPECT_TRUE(has_attractor(orbit(1, 1, 0, 0, no_number)));
+    const std::vector<Attractor> sorted{{orbit(1, 1, 0.2, 1, no_number)},
+                                        {orbit(1, 1, 0.3, -1, no_number)},
+                                        {orbit(1, 1, 0.3, 1, no_number)},
+                                        {orbit(2, 1, 0, 0, no_number)}};
+    std::vector<Attractor> table{sorted[2], sorted[3], sorted[1], sorted[0]};
+    sort_canonically(table);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        EXPECT_EQ(row_of(sorted, table[i].cell), static_cast<std::int32_t>(i));
 }
 
 TEST(OutputAttractors, OrbitsAreToldApartByZAndByTheirPoint) {

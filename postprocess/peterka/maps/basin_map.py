@@ -46,7 +46,7 @@ def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     table = file.attractors
     assert table is not None
     named = _largest_attractors(table)
-    named_entries = _attractor_entries(table, named, file.newtons if style.current().units == "si" else None)
+    named_entries = _attractor_entries(table, named, *((file.newtons, unit_of(file, "displacement_ratio")) if style.current().units == "si" else (None, None)))
     # Labels below len(CLASSES) are classes, for starts without an attractor; then the named attractors, then the rest.
     entries = _class_entries() + named_entries + [("other attractors", OTHER_COLOUR)]
     number = np.full(table.count + 1, len(entries) - 1)
@@ -139,9 +139,10 @@ def _largest_attractors(table: Attractors) -> Integers:
     return np.sort(by_size[:NAMED_ATTRACTORS])
 
 
-def _attractor_entries(table: Attractors, named: Integers, newtons: float | None) -> list[tuple[str, str | Fill]]:
+def _attractor_entries(table: Attractors, named: Integers, newtons: float | None, metres: float | None) -> list[tuple[str, str | Fill]]:
     """(legend text, colour) of each named attractor: class of z, force with enough digits to distinguish it within the
-    class, and a shade of the class's colour. The force is given over the weight, or in N if `newtons` (the weight) is known."""
+    class, and a shade of the class's colour. On a rigid stop, which has no force, several of a class are distinguished by u at forcing phase 0.
+    The force is given over the weight, or in N if `newtons` (the weight) is known, u over A0, or in mm if `metres` (A0) is."""
     seen: Counter[str] = Counter()
     entries: list[tuple[str, str | Fill]] = []
     classes = [class_of(table.regime[row], table.impacts[row], table.period[row]) for row in named]
@@ -152,6 +153,11 @@ def _attractor_entries(table: Attractors, named: Integers, newtons: float | None
             others = [factor * table.peak_force_ratio[other] for other, theirs in zip(named, classes) if theirs == entry]
             force = units.number_apart(factor * table.peak_force_ratio[row], others)
             text += f", $F$ = {force} N" if newtons else f", $F/(m\\,g)$ = {force}"
+        elif table.regime[row] == PERIODIC and classes.count(entry) > 1:
+            factor = 1e3 * metres if metres else 1.0
+            others = [factor * table.orbit_displacement[other] for other, theirs in zip(named, classes) if theirs == entry]
+            displacement = units.number_apart(factor * table.orbit_displacement[row], others)
+            text += f", $u$ = {displacement} mm" if metres else f", $u/A_0$ = {displacement}"
         entries.append((text, _shade(entry.colour, seen[entry.colour])))
         seen[entry.colour] += 1
     return entries
