@@ -44,3 +44,18 @@ def test_a_motion_without_impact_and_a_cell_without_proof_have_words(browser, tm
     with h5py.File(file) as data:
         meanings = dict(zip(data["certified"].attrs["flag_values"].tolist(), data["certified"].attrs["flag_meanings"].split()))
     assert f"not proved{meanings[cell['certified']].replace('_', ' ')}" in words
+
+
+def test_a_label_that_many_digits_corrected_is_no_error_of_the_pages_engine(browser, map_page):
+    """Where rounding decides, its engine may end on another motion than the exact one, which the file tells with a proof. No small job has
+    such a cell on every machine, so the page's words are asked for by themselves."""
+    browser.open(map_page)
+    scripts = JOBS.parent / "postprocess" / "peterka" / "page"
+    regimes, label = (re.search(part, (scripts / "file.js").read_text(), re.DOTALL | re.MULTILINE).group()
+                      for part in (r"^const \[NO_IMPACT.*?;", r"^function labelWords.*?^}"))
+    ask = "(() => {{ const content = {{kind: 'map'}}; {} return agreement({}, {}); }})()"
+    scope = "\n".join((regimes, label, (scripts / "words.js").read_text()))
+    lost, other = (browser.ask(ask.format(scope, f"{{regime: NO_IMPACT, impacts: 0, period: 1, status: {status}}}",
+                                          "{regime: PERIODIC, impacts: 2, period: 3}")) for status in (6, 0))
+    assert lost["same"] is None and lost["words"].startswith("the file has z = 2/3: on this way errors of rounding grow by e^20")
+    assert other == {"same": False, "words": "differs from the file, which has z = 2/3"}

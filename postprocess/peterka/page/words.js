@@ -41,6 +41,7 @@ function meaning({ regime, impacts, period }) {
   }[regime];
 }
 
+const ROUNDING = 6; // a status number
 // By status number; a verified result, too, may leave something open.
 const WHY = {
   1: "the budget ran out before anything was verified",
@@ -48,7 +49,7 @@ const WHY = {
   3: "there were too many contacts in one cycle",
   4: "the numbers ran out of range",
   5: "the start lies inside the rigid stop, or an integrator gave up",
-  6: "errors of rounding grew by e^20 or more on the way, so that they may decide where it ends",
+  [ROUNDING]: "errors of rounding grew by e^20 or more on the way, so that they may decide where it ends",
   7: "its peak force may be off by more than the job's tolerance",
   8: "the budget ran out before chaos could be told from a long transient",
 };
@@ -105,6 +106,9 @@ function agreement(answer, stored) {
   const same = ["regime", "impacts", "period"].every((name) => stored[name] === answer[name]);
   if (!same && stored.regime === UNRESOLVED && content.kind === "sweep") {
     return { same: null, words: "the file left this point unresolved; from there the engine goes on" };
+  }
+  if (!same && answer.status === ROUNDING) {
+    return { same: null, words: `the file has ${label}: on this way errors of rounding grow by e^20 or more, so that the page’s engine may end elsewhere` };
   }
   if (!same) return { same, words: `differs from the file, which has ${label}` };
   const [live, kept] = [answer.peak_force_ratio, stored.peak_force_ratio];
