@@ -148,6 +148,36 @@ def test_starts_and_knocks_lead_to_the_motions_of_the_basin(browser, basin_page)
     assert browser.complaints() == []
 
 
+def shown_basin(browser, page, address):
+    browser.open(page, address)
+    browser.solved()
+    browser.find("basin").click()
+    browser.until(lambda: browser.data("basin-state", "finished") == "true", "the basin is never finished")
+    return browser.text("basin-legend")
+
+
+def test_one_motion_has_one_entry_whichever_engine_found_it(browser, map_page):
+    """Some starts are followed with the cubic spring, which changes the force by 5e-5, the others without."""
+    legend = shown_basin(browser, map_page, "at=3.3,1.35")
+    assert legend.count("z = 1/2") == 1 and "N" in legend, legend
+
+
+def test_motions_of_a_rigid_stop_are_told_apart_by_their_orbits(browser, map_page):
+    """It has no force. Of 150 random rigs none had two motions with one label, so the legend is asked for by itself."""
+    browser.open(map_page)
+    file, plot, basin = ((pages.ROOT / "postprocess" / "peterka" / "page" / name).read_text() for name in ("file.js", "plot.js", "basin.js"))
+    parts = [re.search(rf"^{part}", text, re.DOTALL | re.MULTILINE).group() for text, part in (
+        (file, r"const \[NO_IMPACT.*?;"), (file, r"function labelWords.*?^}"), (plot, r"function digits.*?^}"), (basin, r"const coincide.*?;"),
+        (basin, r"class Motions.*?^}"))]
+    stubs = "const [content, classOf, shade, abgr, signed] = [{classes: [{colour: ''}]}, () => 0, (colour) => colour, () => 0, (text) => text];"
+    found = "[[NaN, 0, -1.5, 2], [NaN, 0, -1.5003, 2], [NaN, 0, -1.5 + 1e-8, 2], [NaN, 0, -1.6, 2.1]]"
+    legend = browser.ask(f"(() => {{ {stubs} {' '.join(parts)} const motions = new Motions();"
+                         f"for (const orbit of {found}) motions.colourOf(PERIODIC, 1, 2, ...orbit); motions.colourOf(PERIODIC, 1, 1, ...{found}[0]);"
+                         "return motions.entries({weight_n: 1, length_m: 1e-3}).map(({label, share}) => [label, share]); })()")
+    assert legend[0] == ["z = 1/2, u = -1.5000 mm", 0.4] and ["z = 1/2, u = -1.5003 mm", 0.2] in legend and ["z = 1/1", 0.2] in legend
+    assert len(legend) == 4, legend
+
+
 @pytest.mark.parametrize("slider", ["contact_first", "contact_second", "damping_ratio"])
 def test_a_slider_computes_the_map_again(browser, map_page, slider):
     browser.open(map_page, "at=1.5,0.5")

@@ -178,7 +178,7 @@ class CellPanel {
       state.textContent = plane.finished ? `${BASIN_SIZE} × ${BASIN_SIZE} starts` : `${part} %`;
       state.dataset.finished = String(plane.finished);
       this.element("basin-legend").replaceChildren();
-      entriesInto(this.element("basin-legend"), plane.motions.entries(this.data.answer.weight_n));
+      entriesInto(this.element("basin-legend"), plane.motions.entries(this.data.answer));
       this.charts.drawPhase();
     });
   }

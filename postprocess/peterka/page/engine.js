@@ -12,6 +12,9 @@ const ANSWER_NUMBERS = [
   "orbit_velocity", "length_m", "frequency_rad_per_s", "force_n", "weight_n",
 ];
 
+// What a list of cells is solved for: these numbers of each.
+const LISTED_NUMBERS = ["regime", "impacts", "period", "peak_force_ratio", "engine", "orbit_displacement", "orbit_velocity"];
+
 // A cell with `hertz`, its natural frequency, and with frequency, gap and start
 // as ratios; values given in SI units are converted for the cell's own rig.
 function settled(cell) {

@@ -17,7 +17,7 @@ function coarseToFine(size) {
 
 class LivePlane {
   // {workers, cell, sides, size, valuesAt(i, j) -> [of sides[0], of sides[1]] or null where there is nothing to compute,
-  //  colour(regime, impacts, period, force) -> abgr, changed(plane)}
+  //  colour(...LISTED_NUMBERS) -> abgr, changed(plane)}
   constructor(how) {
     Object.assign(this, how);
     this.canvas = Object.assign(document.createElement("canvas"), { width: this.size, height: this.size });
@@ -52,7 +52,7 @@ class LivePlane {
   }
   give(places, results) {
     places.forEach(([place, stride], n) => {
-      const cell = results.subarray(4 * n, 4 * n + 4);
+      const cell = results.subarray(LISTED_NUMBERS.length * n, LISTED_NUMBERS.length * (n + 1));
       ++this.kinds[classOf(...cell.subarray(0, 3))];
       this.#paint(place, stride, this.colour(...cell));
     });

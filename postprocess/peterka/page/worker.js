@@ -21,18 +21,19 @@ onmessage = async ({ data }) => {
 
 async function solveCells({ number, cell, sides, cells }) {
   const solver = await engine;
-  const results = new Float64Array(4 * (cells.length / 2));
+  const count = LISTED_NUMBERS.length;
+  const results = new Float64Array(count * (cells.length / 2));
   const begun = performance.now();
   let done = 0;
   while (2 * done < cells.length && (done === 0 || performance.now() - begun < TURN_MS)) {
     const changes = sides.map((side, n) => changeOf(side, cells[2 * done + n]));
     solver.begin(settled(Object.assign({ ...cell }, ...changes)), false);
     solver.advance(0);
-    const { regime, impacts, period, peak_force_ratio } = solver.answer();
-    results.set([regime, impacts, period, peak_force_ratio], 4 * done);
+    const answer = solver.answer();
+    results.set(LISTED_NUMBERS.map((name) => answer[name]), count * done);
     ++done;
   }
-  return { number, done, results: results.slice(0, 4 * done) };
+  return { number, done, results: results.slice(0, count * done) };
 }
 
 async function solveCell({ number, cell, knocked }) {
