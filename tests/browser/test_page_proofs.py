@@ -51,10 +51,10 @@ def test_a_label_that_many_digits_corrected_is_no_error_of_the_pages_engine(brow
     such a cell on every machine, so the page's words are asked for by themselves."""
     browser.open(map_page)
     scripts = JOBS.parent / "postprocess" / "peterka" / "page"
-    regimes, label = (re.search(part, (scripts / "file.js").read_text(), re.DOTALL | re.MULTILINE).group()
-                      for part in (r"^const \[NO_IMPACT.*?;", r"^function labelWords.*?^}"))
+    parts = [re.search(part, (scripts / name).read_text(), re.DOTALL | re.MULTILINE).group() for name, part in (
+        ("file.js", r"^const \[NO_IMPACT.*?;"), ("file.js", r"^function labelWords.*?^}"), ("basin.js", r"^const sameLabel.*?;"))]
     ask = "(() => {{ const content = {{kind: 'map'}}; {} return agreement({}, {}); }})()"
-    scope = "\n".join((regimes, label, (scripts / "words.js").read_text()))
+    scope = "\n".join((*parts, (scripts / "words.js").read_text()))
     lost, other = (browser.ask(ask.format(scope, f"{{regime: NO_IMPACT, impacts: 0, period: 1, status: {status}}}",
                                           "{regime: PERIODIC, impacts: 2, period: 3}")) for status in (6, 0))
     assert lost["same"] is None and lost["words"].startswith("the file has z = 2/3: on this way errors of rounding grow by e^20")

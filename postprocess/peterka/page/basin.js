@@ -13,15 +13,24 @@ function liveBasin(workers, cell, window, changed) {
       const u = at(window.x, i);
       return u > cell.gap_ratio ? null : [u, at(window.y, j) + cell.frequency_ratio];
     },
-    colour: (...result) => motions.colourOf(...result),
+    colour: (...numbers) => motions.colourOf(Object.fromEntries(LISTED_NUMBERS.map((name, n) => [name, numbers[n]]))),
   });
   plane.motions = motions;
   plane.window = window;
   return plane;
 }
 
-// Whether two coordinates of orbits are the same, of one engine or of one with the cubic spring and one without: src/regime/same_orbit.hpp.
-const coincide = (a, b, alike) => Math.abs(a - b) <= (alike ? 1e-6 : 5e-3) * (1 + Math.max(Math.abs(a), Math.abs(b)));
+const sameLabel = (one, other) => ["regime", "impacts", "period"].every((name) => one[name] === other[name]);
+
+// Whether two answers of the engine tell one motion: src/regime/same_orbit.hpp, whose second tolerance is for an orbit with the cubic
+// spring and one without.
+function sameMotion(one, other) {
+  if (!sameLabel(one, other)) return false;
+  if (one.regime !== PERIODIC) return true;
+  const tolerance = one.engine === other.engine ? 1e-6 : 5e-3;
+  return ["orbit_displacement", "orbit_velocity"].map((name) => [one[name], other[name]])
+    .every(([a, b]) => Math.abs(a - b) <= tolerance * (1 + Math.max(Math.abs(a), Math.abs(b))));
+}
 
 // The motions in which starts end, each with its colour and its number of starts. Motions of one class are distinguished by their
 // orbit's point at forcing phase 0: further ones have shades of the class's colour.
@@ -29,14 +38,13 @@ class Motions {
   constructor() {
     this.all = [];
   }
-  colourOf(regime, p, q, force, engine, u, rate) {
-    const kind = classOf(regime, p, q);
-    const same = this.all.filter((one) => one.regime === regime && one.p === p && one.q === q);
-    let motion = regime === PERIODIC
-      ? same.find((one) => coincide(one.u, u, one.engine === engine) && coincide(one.rate, rate, one.engine === engine)) : same[0];
+  // answer: {name of LISTED_NUMBERS: number}.
+  colourOf(answer) {
+    let motion = this.all.find((one) => sameMotion(one, answer));
     if (!motion) {
-      const colour = shade(content.classes[kind].colour, same.length);
-      motion = { regime, p, q, force, engine, u, rate, colour, painted: abgr(colour), count: 0 };
+      const kind = classOf(answer.regime, answer.impacts, answer.period);
+      const colour = shade(content.classes[kind].colour, this.all.filter((one) => sameLabel(one, answer)).length);
+      motion = { ...answer, colour, painted: abgr(colour), count: 0 };
       this.all.push(motion);
     }
     ++motion.count;
@@ -45,17 +53,18 @@ class Motions {
   // For a legend, largest first. On a rigid stop, which has no force, u at forcing phase 0 distinguishes those with one label.
   entries({ weight_n: newtons, length_m: metres }) {
     const sum = this.all.reduce((so_far, one) => so_far + one.count, 0);
-    const told = ({ force, u }, places) => (force > 0 ? `${digits(force * newtons, places)} N` : `u = ${digits(1000 * u * metres, places)} mm`);
+    const told = ({ peak_force_ratio: force, orbit_displacement: u }, places) =>
+      (force > 0 ? `${digits(force * newtons, places)} N` : `u = ${digits(1000 * u * metres, places)} mm`);
     // As many digits as distinguish it from the others with its label.
     const apart = (one) => {
-      const others = this.all.filter((other) => other !== one && other.regime === one.regime && other.p === one.p && other.q === one.q);
-      if (!(one.force > 0) && others.length === 0) return "";
+      const others = this.all.filter((other) => other !== one && sameLabel(other, one));
+      if (!(one.peak_force_ratio > 0) && others.length === 0) return "";
       let places = 3;
       while (places < 9 && others.some((other) => told(other, places) === told(one, places))) ++places;
       return `, ${told(one, places)}`;
     };
     return [...this.all].sort((a, b) => b.count - a.count).slice(0, 8).map((one) => ({
-      label: labelWords(one.regime, one.p, one.q) + (one.regime === PERIODIC ? apart(one) : ""),
+      label: labelWords(one.regime, one.impacts, one.period) + (one.regime === PERIODIC ? apart(one) : ""),
       colour: one.colour, share: one.count / sum,
     }));
   }

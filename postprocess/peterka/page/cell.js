@@ -96,9 +96,7 @@ class CellPanel {
     const badge = this.element("agreement");
     let { same, words } = this.stored ? agreement(answer, this.stored) : { same: null, words: "" };
     if (this.start) {
-      const again = ["regime", "impacts", "period"].every((name) => this.home.answer[name] === answer[name]) &&
-        !(Math.abs(answer.peak_force_ratio / this.home.answer.peak_force_ratio - 1) > 1e-6 && answer.regime === PERIODIC);
-      words = `${this.start.words}: ${again ? "ends in the same motion" : "ends in another motion"}`;
+      words = `${this.start.words}: ${sameMotion(answer, this.home.answer) ? "ends in the same motion" : "ends in another motion"}`;
     }
     badge.textContent = words;
     badge.dataset.same = String(same);

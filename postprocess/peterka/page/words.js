@@ -103,7 +103,7 @@ function agreement(answer, stored) {
   const one = content.kind === "sweep" ? "point" : "cell";
   if (stored.regime === NOT_COMPUTED) return { same: null, words: `the file has no result of this ${one} yet` };
   const label = labelWords(stored.regime, stored.impacts, stored.period);
-  const same = ["regime", "impacts", "period"].every((name) => stored[name] === answer[name]);
+  const same = sameLabel(stored, answer);
   if (!same && stored.regime === UNRESOLVED && content.kind === "sweep") {
     return { same: null, words: "the file left this point unresolved; from there the engine goes on" };
   }
