@@ -5,12 +5,12 @@
 
 namespace peterka::trace {
 
-WindowPlan plan_window(std::size_t impact, double touch_time, double width, double share_before,
+WindowPlan plan_window(std::size_t touch, double touch_time, double width, double share_before,
                        std::int64_t samples, double trace_length) {
     const double step = width / static_cast<double>(samples - 1);
     const auto steps_in = [&](double time) { return static_cast<std::int64_t>(std::floor(time / step)); };
     const auto before = static_cast<std::int64_t>(share_before * static_cast<double>(samples - 1));
-    return {.impact = impact,
+    return {.touch = touch,
             .touch_time = touch_time,
             .step = step,
             .before = std::min(before, steps_in(touch_time)),
@@ -18,7 +18,7 @@ WindowPlan plan_window(std::size_t impact, double touch_time, double width, doub
 }
 
 void ImpactWindow::touch(double /*speed*/) {
-    lasts_ = touches_++ == plan_.impact;
+    lasts_ = touches_++ == plan_.touch;
 }
 
 void ImpactWindow::leave(const trajectory::ImpactRecord<double>& /*impact*/) {
@@ -36,7 +36,7 @@ void ImpactWindow::look(const Stretch& stretch) {
 }
 
 void ImpactWindow::sample(const Stretch& stretch) {
-    const bool has_touched = touches_ > plan_.impact;
+    const bool has_touched = touches_ > plan_.touch;
     while (std::ssize(instants_) < plan_.before + plan_.after) {
         const std::int64_t from_touch = std::ssize(instants_) - plan_.before;
         if (from_touch >= 0 && !has_touched) return;  // regardless of rounding in the times

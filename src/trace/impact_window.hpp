@@ -12,7 +12,7 @@ namespace peterka::trace {
 
 // Times `step` apart; touch is the one with the index `before`, where the force has jumped.
 struct WindowPlan {
-    std::size_t impact = 0;  // which one of the trace
+    std::size_t touch = 0;   // which one of the trace
     double touch_time = 0;   // tau since the trace began
     double step = 0;
     std::int64_t before = 0;  // samples before touch
@@ -20,7 +20,7 @@ struct WindowPlan {
 };
 
 // `share_before` of the width lies before touch; samples outside the trace are omitted.
-[[nodiscard]] WindowPlan plan_window(std::size_t impact, double touch_time, double width, double share_before,
+[[nodiscard]] WindowPlan plan_window(std::size_t touch, double touch_time, double width, double share_before,
                                      std::int64_t samples, double trace_length);
 
 class ImpactWindow : public Watcher {

@@ -2,12 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace peterka::trace {
 
 void Impacts::touch(double speed) {
     lasts_ = now() < length_;
-    if (lasts_) impacts_.push_back({.time = now(), .speed = speed});
+    if (lasts_) impacts_.push_back({.touch = touches_, .time = now(), .speed = speed});
+    ++touches_;
+}
+
+void Impacts::rest(std::int64_t impacts) {
+    const std::int64_t of_trace = std::min(impacts, std::ssize(impacts_));
+    if (of_trace == 0 || now() >= length_) return;
+    const auto first = impacts_.end() - of_trace;
+    work_before_rest_ = std::accumulate(first, impacts_.end(), 0.0, [](double sum, const Impact& each) {
+        return sum + each.record.work;
+    });
+    impacts_.erase(first + 1, impacts_.end());
+    impacts_.back() = {.touch = impacts_.back().touch, .time = impacts_.back().time, .speed = impacts_.back().speed};
+    lasts_ = true;
 }
 
 void Impacts::leave(const trajectory::ImpactRecord<double>& impact) {
@@ -15,6 +30,9 @@ void Impacts::leave(const trajectory::ImpactRecord<double>& impact) {
     lasts_ = false;
     impacts_.back().end = now();
     impacts_.back().record = impact;
+    if (!work_before_rest_) return;
+    impacts_.back().record.peak_force = regime::unknown;  // the stop is rigid
+    impacts_.back().record.work += *std::exchange(work_before_rest_, std::nullopt);
 }
 
 std::optional<std::size_t> Impacts::hardest() const {

@@ -11,7 +11,9 @@
 
 namespace peterka::trace {
 
+// A chatter on a rigid stop, with the rest that ends it, is one.
 struct Impact {
+    std::size_t touch = 0;                                  // number of its first touch, counted from 0
     double time = 0;                                        // tau of the first touch, since the trace began
     double speed = 0;                                       // delta' there
     double end = std::numeric_limits<double>::quiet_NaN();  // tau at which flight begins again
@@ -29,12 +31,15 @@ class Impacts : public Watcher {
     [[nodiscard]] std::optional<std::size_t> hardest() const;
 
     void touch(double speed) override;
+    void rest(std::int64_t impacts) override;
     void leave(const trajectory::ImpactRecord<double>& impact) override;
 
   private:
     double length_;
     std::vector<Impact> impacts_;
+    std::size_t touches_ = 0;
     bool lasts_ = false;
+    std::optional<double> work_before_rest_;  // of an impact that is a chatter
 };
 
 }  // namespace peterka::trace

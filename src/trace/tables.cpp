@@ -91,7 +91,7 @@ std::vector<Column<Counted>> columns_of_impacts(const Trace& trace, const Scales
         {real("touch_time", "s", "time of the first touch since the trace began"), [=](const Counted& row) { return row.impact.time * per_omega; }},
         {real("touch_cycle", "1", "the same in forcing cycles"), [=](const Counted& row) { return row.impact.time / period; }},
         {real("impact_speed", "m/s", "speed of the hammer against the stop at first touch"), [=](const Counted& row) { return row.impact.speed * speed; }},
-        {real("touch_force_ratio", "1", "force to which the stop jumps at first touch over hammer weight, F/(m g0)"), [=](const Counted& row) { return force_at_touch(oscillator, row.impact.speed) * force; }},
+        {real("touch_force_ratio", "1", "force to which the stop jumps at first touch over hammer weight, F/(m g0); NaN on a rigid stop"), [=](const Counted& row) { return force_at_touch(oscillator, row.impact.speed) * force; }},
         {real("peak_force_ratio", "1", "peak force of the impact over hammer weight, F/(m g0); NaN on a rigid stop"), [=](const Counted& row) { return row.impact.record.peak_force * force; }},
         {real("impulse", "N s", "impulse of the impact"), [=](const Counted& row) { return row.impact.record.impulse * scales.force_n * per_omega; }},
         {real("contact_time", "s", "time for which the stop presses"), [=](const Counted& row) { return row.impact.record.contact_time * per_omega; }},

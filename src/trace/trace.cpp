@@ -32,13 +32,14 @@ HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size
     const Course& course = trace.course;
     const Impact& impact = trace.impacts[index];
     ImpactWindow window(course.oscillator,
-                        plan_window(index, impact.time, width_of_window(scene, course, impact), share_before,
+                        plan_window(impact.touch, impact.time, width_of_window(scene, course, impact), share_before,
                                     scene.job().trace.impact_samples, course.length));
     follow(course, window);
     HardImpact seen{index, window.instants(), window.peak(), {}};
     const bool is_last = index + 1 == trace.impacts.size();
     const double next_touch = is_last ? course.length : trace.impacts[index + 1].time;
-    if (impact.end > impact.time && next_touch > impact.end) {
+    const bool has_force = !std::isnan(impact.record.peak_force);
+    if (has_force && impact.end > impact.time && next_touch > impact.end) {
         seen.spectrum = spectrum_of_impact(course, impact, next_touch, largest_frequency(scene), lines);
     }
     return seen;
@@ -62,7 +63,8 @@ Trace make_trace(const scene::Scene& scene) {
 }
 
 double force_at_touch(const scene::Oscillator<double>& oscillator, double speed) {
-    return trajectory::contact_force(oscillator, State<double>(0, speed));
+    return scene::is_rigid(oscillator.contact) ? regime::unknown
+                                               : trajectory::contact_force(oscillator, State<double>(0, speed));
 }
 
 }  // namespace peterka::trace

@@ -33,7 +33,7 @@ struct Trace {
 // Throws Failure if the motion can't be followed.
 [[nodiscard]] Trace make_trace(const scene::Scene& scene);
 
-// Force to which the stop jumps when touched at this speed.
+// Force to which the stop jumps when touched at this speed; NaN if it is rigid.
 [[nodiscard]] double force_at_touch(const scene::Oscillator<double>& oscillator, double speed);
 
 }  // namespace peterka::trace

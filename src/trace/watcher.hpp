@@ -29,6 +29,7 @@ class Watcher : public trajectory::Observer<double> {
         now_ = seen.end();
     }
     void touch(double /*speed*/) override {}
+    void rest(std::int64_t /*impacts*/) override {}
     void leave(const trajectory::ImpactRecord<double>& /*impact*/) override {}
     // Called at the end of the last cycle.
     virtual void finish(const State<double>& /*end*/, Phase /*phase*/) {}

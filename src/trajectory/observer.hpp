@@ -5,6 +5,7 @@
 // lies at most a jump of the force or a small kick, on a rigid stop a jump of the velocity.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "trajectory/cycle.hpp"
@@ -34,6 +35,9 @@ class Observer {
     virtual void stretch(Phase phase, Real from, Real length, const StateAt& state_at) = 0;
     // An impact begins where the last stretch ended, at this delta' > 0.
     virtual void touch(Real speed) = 0;
+    // The hammer comes to rest on a rigid stop: its last impacts, as many, which seemed over, and the rest that
+    // begins are one, a chatter. `leave` tells its impulse and what it adds in time and work.
+    virtual void rest(std::int64_t impacts) = 0;
     // An impact is over: the last one touched, or one that began before this observer was attached.
     virtual void leave(const ImpactRecord<Real>& impact) = 0;
 };

@@ -202,6 +202,7 @@ class Recorder {
     // The hammer comes to rest on the stop: the chain and the sticking that follows are one impact.
     void stick(bool after_chatter) {
         totals_.chatter |= after_chatter;
+        if (observer_ != nullptr) observer_->rest(chain_.impacts);
         join_chain();
     }
 

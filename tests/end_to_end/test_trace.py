@@ -80,6 +80,30 @@ def test_the_impacts_of_a_trace_hold_together(trace):
     assert area == pytest.approx(float(impacts.impulse[int(close.impact)]), rel=1e-4)
 
 
+# The last: the hammer sticks at its first impact.
+@pytest.mark.parametrize("restitution, frequency, gap", [(0.3, 0.9, -0.3), (0.5, 0.7, -0.1), (0.0, 0.978, -0.5)])
+def test_a_chatter_on_a_rigid_stop_is_one_impact_with_the_rest_that_ends_it(tmp_path, restitution, frequency, gap):
+    """As in the map: its bounces' impulses and that of the rest together, pressed for as long as it rests."""
+    job = jobs.RIG.format(kind="map", title="chatter") + jobs.axis("frequency_ratio", frequency, frequency, 1) + jobs.axis("gap_ratio", gap, gap, 1)
+    job = jobs.with_rigid_stop(job).replace("coefficient = 0.5", f"coefficient = {restitution}")
+    (tmp_path / "map.toml").write_text(job + '[output]\nfields = ["impact_speed", "impulse", "contact_time", "contact_power_w"]\n[start]\ndisplacement_ratio = -1.0\n')
+    assert launch.run("run", "map.toml", "--quiet", cwd=tmp_path).returncode == 0
+    path, said = compute(tmp_path, jobs.trace_of("map.h5", "row = 0\ncolumn = 0\ncycles = 12"))
+    with h5py.File(tmp_path / "map.h5") as file:
+        cell = {name: file[name][0, 0] for name in ("regime", "impacts", "period", "chatter", "impact_speed", "impulse", "contact_time", "contact_power_w")}
+    assert cell["regime"] == 1 and cell["contact_time"] > 0 and cell["chatter"] == (restitution > 0)
+    impacts = xarray.open_dataset(path, group="impacts")
+    assert impacts.sizes["impact"] == 12 // cell["period"] * cell["impacts"]
+    assert f"{impacts.sizes['impact']} in the time shown" in said
+    whole = impacts.isel(impact=slice(0, -1))  # the last one may outlast the trace
+    for name, stored in (("impact_speed", cell["impact_speed"]), ("impulse", cell["impulse"]), ("contact_time", cell["contact_time"])):
+        assert float(whole[name].max()) == pytest.approx(stored, rel=1e-9), name
+    assert np.isnan(whole.peak_force_ratio).all() and np.isnan(whole.touch_force_ratio).all()
+    period = cell["impacts"]
+    taken = float(whole.work[:period].sum()) * 4.5 * frequency / cell["period"]
+    assert taken == pytest.approx(cell["contact_power_w"], rel=1e-8)
+
+
 def test_a_complete_trace_is_left_alone(tmp_path, trace):
     shutil.copy(trace[0], tmp_path / "job.h5")
     _, said = compute(tmp_path, jobs.trace(2.0))

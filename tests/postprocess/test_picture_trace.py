@@ -177,3 +177,17 @@ def test_a_trace_tells_the_peak_of_the_steady_motion_from_that_of_the_way_to_it(
             title = " ".join(figure_of(picture.draw(file, units="si"))._suptitle.get_text().split())
             assert f"hardest impact {hardest * WEIGHT:.4g} N" in title and words in title
             assert times == 1 or f"{times * hardest * WEIGHT:.4g} N" in title
+
+
+def test_impacts_on_a_rigid_stop_have_speeds_instead_of_forces(tmp_path):
+    path = write_trace(tmp_path / "a.h5", rigid=True)
+    figure = drawn(path, motion, tmp_path)
+    speeds = figure.axes[2]
+    assert speeds.get_ylabel() == "impact speed (m/s)" and speeds.get_ylim()[0] == 0
+    np.testing.assert_allclose(list(line(speeds, 0)), [TOUCH + np.arange(3) / HZ, 3 * [0.3]])
+    words = [text.get_text() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+    assert "speed of an impact" in words and not any("force" in ax.get_ylabel() for ax in figure.axes)
+    velocity, acceleration = drawn(path, impact, tmp_path).axes[:2]
+    with h5py.File(path) as file:
+        np.testing.assert_allclose(list(line(velocity, 0))[1], file["impact/relative_velocity"][()])
+    assert "(m/s)" in velocity.get_ylabel() and "m/s²" in acceleration.get_ylabel()

@@ -10,26 +10,29 @@ PEAK, JUMP = 80.0, 40.0  # F/(mg)
 TOUCH = 0.02  # s, in each cycle
 
 
-def write_trace(path, cycles=3, impacts=True, samples=200, **attributes):
-    """Force: from JUMP at touch up to PEAK after a third of the contact, and down."""
+def write_trace(path, cycles=3, impacts=True, samples=200, rigid=False, **attributes):
+    """Force: from JUMP at touch up to PEAK after a third of the contact, and down; none where the stop is rigid."""
     time = np.arange(cycles * samples + 1) / (samples * HZ)
     with SealedFile(path, "w") as file:
         file.attrs.update({"peterka_layout": np.int32(3), "peterka_kind": "trace", "title": "A trace",
                            "natural_frequency_hz": 4.5, "cart_amplitude_m": AMPLITUDE, "hammer_mass_kg": MASS,
                            "frequency_ratio": 2.0, "gap_ratio": 0.0} | attributes)
-        _write_motion(file, time, impacts)
+        _write_motion(file, time, impacts and not rigid)
         _write(file, "spectrum", frequency=np.arange(50) * HZ, force_amplitude=1 / (1 + np.arange(50.0)),
                acceleration_amplitude=10 / (1 + np.arange(50.0)))
         if not impacts:
             return path
         touches = TOUCH + np.arange(cycles) / HZ
+        jump, peak, contact = (np.nan, np.nan, 0.0) if rigid else (JUMP, PEAK, CONTACT)
         _write(file, "impacts", touch_time=touches, impact_speed=np.full(cycles, 0.3),
-               touch_force_ratio=np.full(cycles, JUMP), peak_force_ratio=np.full(cycles, PEAK),
-               impulse=np.full(cycles, 0.1), contact_time=np.full(cycles, CONTACT), work=np.full(cycles, 0.01))
+               touch_force_ratio=np.full(cycles, jump), peak_force_ratio=np.full(cycles, peak),
+               impulse=np.full(cycles, 0.1), contact_time=np.full(cycles, contact), work=np.full(cycles, 0.01))
         close = TOUCH + np.linspace(-CONTACT, 2 * CONTACT, 301)
-        _write_motion(file.create_group("impact"), close, True)
-        _write(file, "impact", time_from_touch=close - TOUCH, impact=np.int32(0), peak_time=TOUCH + CONTACT / 3,
-               peak_force_ratio=PEAK)
+        _write_motion(file.create_group("impact"), close, not rigid)
+        _write(file, "impact", time_from_touch=close - TOUCH, impact=np.int32(0))
+        if rigid:
+            return path
+        _write(file, "impact", peak_time=TOUCH + CONTACT / 3, peak_force_ratio=PEAK)
         _write(file, "impact_spectrum", frequency=np.arange(50) * 100.0, force_spectrum=1 / (1 + np.arange(50.0)),
                flight_acceleration_amplitude=1 / (1 + np.arange(50.0)))
     return path

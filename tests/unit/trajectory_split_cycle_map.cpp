@@ -88,6 +88,7 @@ class Quarters : public Observer<double> {
         seen.emplace_back(from + length / 4, state_at(length / 4));
     }
     void touch(double) override {}
+    void rest(std::int64_t) override {}
     void leave(const ImpactRecord<double>&) override {}
     std::vector<std::pair<double, State<double>>> seen;  // tau, state
 };

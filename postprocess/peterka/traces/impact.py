@@ -1,4 +1,5 @@
-"""Close-up of the hardest impact: the stop's force with its jump at first touch and its peak, and the hammer's acceleration."""
+"""Close-up of the hardest impact: the stop's force with its jump at first touch and its peak or, on a rigid stop, which has none, the
+hammer's velocity in the cart; and the hammer's acceleration."""
 
 from collections.abc import Mapping
 
@@ -27,14 +28,18 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     motion, number = impact.motion, impact.number
     assert impacts is not None
     milliseconds = 1000 * motion["time_from_touch"]
-    force, unit = trace_look.force(file, motion["force_ratio"])
-    above.plot(milliseconds, force, **trace_look.FORCE_LINE)
-    if impact.peak_time is not None and impact.peak_force_ratio is not None:
-        _label_peak(above, file, impact.peak_time - impacts["touch_time"][number], impact.peak_force_ratio)
-        _label_jump(above, file, impacts["touch_force_ratio"][number])
-        above.set_ylim(top=1.28 * np.max(force))
-    above.set_ylabel(f"force ({unit})")
-    trace_look.second_force_scale(above, file)
+    if trace_look.strikes_rigid_stop(file):
+        above.plot(milliseconds, motion["relative_velocity"], **trace_look.FORCE_LINE)
+        above.set_ylabel(r"$\dot{x} - \dot{y}$ (m/s)")
+    else:
+        force, unit = trace_look.force(file, motion["force_ratio"])
+        above.plot(milliseconds, force, **trace_look.FORCE_LINE)
+        if impact.peak_time is not None and impact.peak_force_ratio is not None:
+            _label_peak(above, file, impact.peak_time - impacts["touch_time"][number], impact.peak_force_ratio)
+            _label_jump(above, file, impacts["touch_force_ratio"][number])
+            above.set_ylim(top=1.28 * np.max(force))
+        above.set_ylabel(f"force ({unit})")
+        trace_look.second_force_scale(above, file)
     below.plot(milliseconds, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
     below.set_ylabel(r"$\ddot{x}$ (m/s²)")
     below.set_xlabel("time since first touch (ms)")
@@ -64,6 +69,6 @@ def _label_jump(ax: Axes, file: TraceFile, ratio: float) -> None:
 
 def _facts(impacts: Mapping[str, Reals], number: int) -> str:
     facts = [f"at {impacts['touch_time'][number]:.4g} s with {impacts['impact_speed'][number]:.3g} m/s"]
-    if np.isfinite(impacts["peak_force_ratio"][number]):
+    if impacts["contact_time"][number] > 0:
         facts.append(f"pressed for {1000 * impacts['contact_time'][number]:.3g} ms")
     return ", ".join(facts)

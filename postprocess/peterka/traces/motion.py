@@ -27,7 +27,8 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
     handles = [Line2D([], [], label="hammer $x$", **trace_look.HAMMER_LINE),
                Line2D([], [], label=f"cart $y${at_cart}", **trace_look.CART_LINE),
                Line2D([], [], label="stop, $y + \\mathrm{gap}$", **trace_look.STOP_LINE)]
-    peaks = [] if file.impacts is None else [Line2D([], [], label="peak of an impact", **PEAK)]
+    of = "speed" if trace_look.strikes_rigid_stop(file) else "peak"
+    peaks = [] if file.impacts is None else [Line2D([], [], label=f"{of} of an impact", **PEAK)]
     shows_stop = _near_the_hammer(file)
     figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=2 if file.impacts is None else 3, columns=4,
                                   ax=ax)
@@ -36,7 +37,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
     panels[1].plot(time, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
     panels[1].set_ylabel(r"$\ddot{x}$ (m/s²)")
     if file.impacts is not None:
-        _draw_force(panels[2], file)
+        (_draw_speeds if trace_look.strikes_rigid_stop(file) else _draw_force)(panels[2], file)
     panels[-1].set_xlabel("time (s)")
     for ax in panels:
         trace_look.grid(ax)
@@ -47,6 +48,16 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
     figure.align_ylabels(panels)
     trace_look.write_title(figure, file, trace_look.peaks(file), panels[0])
     return panels
+
+
+def _draw_speeds(ax: Axes, file: TraceFile) -> None:
+    """On a rigid stop, whose forces have no bound: how fast the hammer strikes it."""
+    assert file.impacts is not None
+    touches, speeds = file.impacts["touch_time"], file.impacts["impact_speed"]
+    ax.vlines(touches, 0, speeds, **trace_look.STEM)
+    ax.plot(touches, speeds, **PEAK)
+    ax.set_ylim(bottom=0)
+    ax.set_ylabel("impact speed (m/s)")
 
 
 def _draw_force(ax: Axes, file: TraceFile) -> None:

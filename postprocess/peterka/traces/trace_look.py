@@ -16,6 +16,7 @@ HAMMER_LINE = {"color": HAMMER, "linewidth": 1.0}
 CART_LINE = {"color": CART, "linewidth": 0.9, "linestyle": (0, (5, 2))}
 STOP_LINE = {"color": STOP, "linewidth": 0.8, "linestyle": (0, (1, 1.5))}
 FORCE_LINE = {"color": FORCE, "linewidth": 1.0}
+STEM = {"color": FORCE, "linewidth": 0.8}
 ACCELERATION_LINE = {"color": HAMMER, "linewidth": 0.8}
 
 
@@ -38,6 +39,14 @@ def _force_scale(file: TraceFile) -> tuple[float, str]:
     largest = max(float(np.max(np.nan_to_num(values), initial=0)) for values in forces)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     return factor * file.newtons, unit
+
+
+def strikes_rigid_stop(file: TraceFile) -> bool:
+    """Whether no impact has a force, neither at first touch nor at its peak: one that outlasts the trace has the first."""
+    if file.impacts is None:
+        return False
+    touch, peak = file.impacts["touch_force_ratio"], file.impacts["peak_force_ratio"]
+    return bool(np.all(np.isnan(peak)) and np.all(np.isnan(touch) | (touch == 0)))
 
 
 def second_force_scale(ax: Axes, file: TraceFile) -> None:
