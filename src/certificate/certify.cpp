@@ -127,9 +127,13 @@ Certificate certify_orbit(Case& it, const StroboscopicOrbit& orbit) {
     const Springs<Interval>& springs = it.springs;
     const bool rigid = springs.rig.rigid;
     const std::optional<EventChain> chain = find_chain(it.approximate, orbit);
-    if (!chain && rigid) return certify_chatter(it, orbit);
-    if (!chain) return refused(Certified::no_orbit_found);
-    if (chain->impacts() != orbit.impacts) return refused(Certified::other_label);
+    const bool is_claimed = chain && chain->impacts() == orbit.impacts;
+    if (!is_claimed && rigid) {
+        // of a chatter rounding may leave a finite chain of bounces, all of which the label counts as one
+        const Certificate chattering = certify_chatter(it, orbit);
+        return chain && chattering.verdict < Certified::orbit ? refused(Certified::other_label) : chattering;
+    }
+    if (!is_claimed) return refused(chain ? Certified::other_label : Certified::no_orbit_found);
     const std::optional<Places> places = orbit_box(springs, it.approximate, *chain);
     if (!places) return refused(Certified::no_orbit_enclosed);
     for (std::size_t i = 0; i < places->size(); ++i) {

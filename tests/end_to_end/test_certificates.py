@@ -108,6 +108,17 @@ def test_starts_are_proved_to_lead_to_the_orbits_of_their_cells(tmp_path, rigid)
     assert not np.any(cells["status"][start] == ROUNDING)
 
 
+def test_a_chatter_is_proved_where_rounding_leaves_a_chain_of_bounces(tmp_path):
+    """On each of these cells the hammer comes to rest on the stop once a cycle; some were refused as ones with another label."""
+    job = (jobs.with_rigid_stop(jobs.RIG.format(kind="map", title="chatter")).replace("coefficient = 0.5", "coefficient = 0.3")
+           + jobs.axis("frequency_ratio", 0.8, 0.88, 161) + jobs.axis("gap_ratio", -0.2, 0.2, 5)
+           + '[start]\ndisplacement_ratio = -1.0\n[certificate]\ncells = "all"\n')
+    (tmp_path / "job.toml").write_text(job)
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
+    cells = read(tmp_path / "job.h5")
+    assert np.all(cells["certified"][cells["chatter"] == 1] >= ORBIT) and np.count_nonzero(cells["chatter"] == 1) > 400
+
+
 def test_many_digits_settle_labels_that_rounding_decides(tmp_path):
     """On the way of some of these starts errors grow by e^20 to e^60."""
     job = (jobs.RIG.format(kind="map", title="digits") + jobs.axis("frequency_ratio", 1.85, 2.2, 8) + jobs.axis("gap_ratio", 1.4, 1.9, 8)
