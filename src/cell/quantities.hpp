@@ -292,7 +292,7 @@ inline constexpr Quantity rows[] = {
     {"impacts", member([](auto& cell) -> auto& { return cell.impacts; }), number, "impacts p of z = p/q", always, as_around, usual, table_too},
     {"period", member([](auto& cell) -> auto& { return cell.period; }), number, "period q of z = p/q in forcing cycles", always, as_around, usual, table_too},
     {"peak_force_ratio", member([](auto& cell) -> auto& { return cell.peak_force; }), force_over_weight, "peak impact force over hammer weight, F/(m g0)", always, interpolated, usual, table_too},
-    {"jump", member([](auto& cell) -> auto& { return cell.jump; }), label, "whether the peak force jumps on the way to this point from the one before it in the branch", in_sweeps, never, usual, {}, jump_names},
+    {"jump", member([](auto& cell) -> auto& { return cell.jump; }), label, "whether the peak force, or on a rigid stop the impact speed, jumps on the way to this point from the one before it in the branch", in_sweeps, never, usual, {}, jump_names},
     {"chatter", member([](auto& cell) -> auto& { return cell.chatter; }), label, "whether impacts on the rigid stop accumulate to rest; each such chatter counts as one impact", of_rigid_stops, as_around, usual, {}, chatter_names},
     {"impact_rate", member([](auto& cell) -> auto& { return cell.impact_rate; }), number, "impacts per forcing cycle", always, interpolated},
     {"cycles", member([](auto& cell) -> auto& { return cell.cycles; }), number, "forcing cycles spent"},

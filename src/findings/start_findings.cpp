@@ -16,6 +16,11 @@ bool impacts_for_ever(const StoredAttractor& attractor) {
     return attractor.regime == Regime::periodic || attractor.regime == Regime::chaotic;
 }
 
+// Unresolved ones may do either.
+bool ends_free_or_pressed(const StoredAttractor& attractor) {
+    return attractor.regime == Regime::no_impact || attractor.regime == Regime::sustained_contact;
+}
+
 bool is_in_use(const StoredAttractor& attractor) {
     return attractor.regime != static_cast<Regime>(regime::regime_not_computed);
 }
@@ -31,14 +36,15 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
     ++counts.cells;
     ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];
     const auto hits = std::ranges::count_if(all, impacts_for_ever);
-    counts.mixed += hits > 0 && hits < std::ssize(all) ? 1 : 0;
-    counts.never_hit += hits == 0 ? 1 : 0;
+    const auto without = std::ranges::count_if(all, ends_free_or_pressed);
+    counts.mixed += hits > 0 && without > 0 ? 1 : 0;
+    counts.never_hit += without == std::ssize(all) ? 1 : 0;
     const auto found = std::ranges::count_if(all, [](const auto& slot) { return slot.share > 0; });
     const auto here = all.first(static_cast<std::size_t>(found));
     const auto known = all.subspan(here.size());
     const auto known_hits = std::ranges::count_if(known, impacts_for_ever);
     counts.known_hit += known_hits > 0 ? 1 : 0;
-    counts.known_free += known_hits < std::ssize(known) ? 1 : 0;
+    counts.known_free += std::ranges::any_of(known, ends_free_or_pressed) ? 1 : 0;
     counts.minority += cell.start_attractor > 0 ? 1 : 0;
     counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;

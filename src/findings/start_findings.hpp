@@ -35,7 +35,7 @@ struct StartCounts {
     std::array<std::int64_t, told_apart + 1> by_number{};  // cells by their number of attractors
     std::int64_t cells = 0;
     std::int64_t mixed = 0;       // cells with motions both with and without impacts
-    std::int64_t never_hit = 0;   // cells with no known motion with impacts
+    std::int64_t never_hit = 0;   // cells whose known motions are all resolved, and without impacts
     std::int64_t known_free = 0;  // cells with a known motion without impacts that no start reached
     std::int64_t known_hit = 0;   // the same with impacts
     std::int64_t minority = 0;    // cells in which [start] ends on another attractor than most starts

@@ -73,7 +73,7 @@ Compared compare(const StoredCell& a, const StoredCell& b) {
     if (is_open(a) || is_open(b)) return Compared::unknown;
     if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return Compared::alike;
     const bool differ = motion_class(a) != motion_class(b) ||
-                        std::abs(a.peak_force - b.peak_force) > 0.01 * std::max(a.peak_force, b.peak_force);
+                        std::abs(blow(a) - blow(b)) > 0.01 * std::max(blow(a), blow(b));
     return differ ? Compared::different : Compared::alike;
 }
 

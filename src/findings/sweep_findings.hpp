@@ -1,6 +1,7 @@
 // Findings in the branches of a sweep: strongest impacts, bands of one kind of motion, jumps, and hysteresis.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,6 +28,11 @@ struct Band {
     std::int64_t last = 0;
     [[nodiscard]] std::int64_t points() const { return last - first + 1; }
 };
+
+// The peak force or, on a rigid stop, the largest impact speed [m/s]; NaN where that isn't stored.
+[[nodiscard]] inline double blow(const quantities::StoredCell& cell) {
+    return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
+}
 
 // From the last point before a jump to the first one after it, in the branch's direction.
 struct Jump {

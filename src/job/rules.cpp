@@ -143,11 +143,15 @@ std::string rule_of_proved_starts(const Job& job) {
 
 std::string rule_of_proved_attractors(const Job& job) {
     if (!job.certificate.attractors) return {};
-    if (job.kind != Kind::map || job.starts.count == 0) {
+    if (job.kind != Kind::map) {
         return fmt::format(
-            "certificate.attractors = true, and this {} has no cells with many starts; attractors are found by "
-            "the [starts] of a map; {}or remove this key",
-            name(job.kind), job.kind == Kind::map ? "set starts.count, " : "take a map of the same rig, ");
+            "certificate.attractors = true, and this is a {}; only attractors that the [starts] of a map find are "
+            "certified; take a map of the same rig, or remove this key",
+            name(job.kind));
+    }
+    if (job.starts.count == 0) {
+        return "certificate.attractors = true, and this map has no cells with many starts; attractors are found by "
+               "the [starts] of a map; set starts.count, or remove this key";
     }
     if (job.certificate.cells > 0) return {};
     return "certificate.attractors = true, and certificate.cells = 0; no cell is tried, and so none of its "

@@ -25,7 +25,7 @@ class JumpSearch {
   public:
     explicit JumpSearch(const std::vector<BranchPoint>& points) : points_(points) {
         double largest = 0;
-        for (const BranchPoint& point : points) largest = std::max(largest, force_or(point.cell, 0));
+        for (const BranchPoint& point : points) largest = std::max(largest, std::isnan(blow(point.cell)) ? 0 : blow(point.cell));
         least_change_ = largest / 20;
     }
 
@@ -38,20 +38,20 @@ class JumpSearch {
     }
 
   private:
-    static double force_or(const CellResult& cell, double otherwise) {
-        return std::isnan(cell.peak_force) ? otherwise : cell.peak_force;
+    static double blow(const CellResult& cell) {
+        return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
     }
     [[nodiscard]] bool has(std::int64_t column) const { return column >= 0 && column < std::ssize(points_); }
     [[nodiscard]] const CellResult& cell(std::int64_t column) const {
         return points_[static_cast<std::size_t>(column)].cell;
     }
-    // 0 beyond the ends and next to a cell without a force.
+    // 0 beyond the ends and next to a cell without a blow that is known.
     [[nodiscard]] double change_after(std::int64_t column) const {
         if (!has(column) || !has(column + 1)) return 0;
-        const double change = std::abs(cell(column + 1).peak_force - cell(column).peak_force);
+        const double change = std::abs(blow(cell(column + 1)) - blow(cell(column)));
         return std::isnan(change) ? 0 : change;
     }
-    // The same, but only between motions with a period: the slope of the force.
+    // The same, but only between motions with a period: the slope.
     [[nodiscard]] double slope_after(std::int64_t column) const {
         const bool steady = has(column) && has(column + 1) && has_period(cell(column).regime) &&
                             has_period(cell(column + 1).regime);

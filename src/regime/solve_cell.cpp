@@ -18,11 +18,12 @@ namespace peterka::regime {
 
 namespace {
 
-// Quantities not requested are not computed.
+// Quantities not requested are not computed. Jumps of a sweep are told by impact speeds where there is no force.
 Measures measures_of(const job::Job& job) {
     Measures measures;
     const auto impacts =
         job::is_rigid(job.contact) ? trajectory::Detail::impacts : trajectory::Detail::contacts;
+    if (job.kind == job::Kind::sweep && job::is_rigid(job.contact)) measures.detail = impacts;
     for (const cell::Quantity& quantity : cell::quantities) {
         const bool takes_more = quantity.recorded != cell::Recorded::usual;  // tested first: most don't
         if (!takes_more || !job::stores(job, quantity)) continue;

@@ -25,10 +25,6 @@ namespace {
 
 using trajectory::Cycle;
 
-bool is_conservative(const scene::Oscillator<double>& oscillator) {
-    return oscillator.damping_ratio == 0 && scene::is_lossless(oscillator.contact);
-}
-
 class Search {
   public:
     Search(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
@@ -37,7 +33,7 @@ class Search {
         : map_(oscillator, engine, broker),
           known_(attractors.known != nullptr ? attractors.known->of(oscillator, engine) : nullptr),
           knows_chaos_(attractors.chaos),
-          conservative_(is_conservative(oscillator)),
+          conservative_(scene::is_conservative(oscillator)),
           trajectory_(map_, start, budget,
                       conservative_ ? std::min(budget.chaos_cycles, budget.max_cycles) : budget.max_cycles,
                       measures),

@@ -31,7 +31,8 @@ const char* in_words(regime::Status status) {
         case Status::verified:
             return "verified";
         case Status::budget:
-            return "nothing verified in all the cycles that a cell is given (steady_state.max_cycles)";
+            return "nothing verified in all the cycles that a cell is given (steady_state.max_cycles), or only "
+                   "after more cycles than periods are looked for (steady_state.max_period)";
         case Status::conservative:
             return "nothing dissipates, so nothing settles";
         case Status::too_many_events:

@@ -189,11 +189,10 @@ class Words {
 
     // The largest jumps, in the branch's direction.
     [[nodiscard]] std::string jumps(const BranchFindings& found) const {
-        const auto has_no_force = [](const StoredCell& cell) { return std::isnan(cell.peak_force); };
-        if (std::ranges::all_of(found.cells, has_no_force)) return "not looked for: no motion has a force";
         std::vector<Jump> largest = found.jumps;
         const auto size = [&](const Jump& jump) {
-            return std::abs(at(found, jump.to).peak_force - at(found, jump.from).peak_force);
+            const double change = std::abs(blow(at(found, jump.to)) - blow(at(found, jump.from)));
+            return std::isnan(change) ? 0 : change;
         };
         std::ranges::stable_sort(largest, std::ranges::greater{}, size);
         largest.resize(std::min(largest.size(), most_listed));
@@ -211,9 +210,15 @@ class Words {
     [[nodiscard]] std::string in_words(const BranchFindings& found, const Jump& jump) const {
         const StoredCell& before = at(found, jump.from);
         const StoredCell& after = at(found, jump.to);
-        return fmt::format("{} from {} ({}) to {} ({})", at_axis((value(jump.from) + value(jump.to)) / 2),
-                           name_of(motion_class(before)), short_force(before, jump.from, 3),
-                           name_of(motion_class(after)), short_force(after, jump.to, 3));
+        return fmt::format("{} from {}{} to {}{}", at_axis((value(jump.from) + value(jump.to)) / 2),
+                           name_of(motion_class(before)), short_blow(before, jump.from),
+                           name_of(motion_class(after)), short_blow(after, jump.to));
+    }
+    // " (12.3 N)"; of a rigid stop the impact speed, or nothing where it isn't stored.
+    [[nodiscard]] std::string short_blow(const StoredCell& cell, std::int64_t column) const {
+        if (!job::is_rigid(job_.contact)) return fmt::format(" ({})", short_force(cell, column, 3));
+        if (std::isnan(cell.impact_speed)) return "";
+        return fmt::format(" ({})", readable_amount(cell.impact_speed, "m/s", 3));
     }
 
     static const StoredCell& at(const BranchFindings& found, std::int64_t column) {

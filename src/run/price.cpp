@@ -276,8 +276,12 @@ std::string long_chaos_price(const job::Job& job) {
     std::int64_t cycles = 0;
     for (const std::int64_t row : {std::int64_t{0}, scene.rows() - 1}) {
         for (const std::int64_t column : {std::int64_t{0}, scene.columns() - 1}) {
-            cycles = std::max(cycles, regime::cycles_for_chaos(scene.cell(row, column).oscillator,
-                                                               job.steady_state, impacts));
+            const auto oscillator = scene.cell(row, column).oscillator;
+            if (scene::is_conservative(oscillator)) {
+                return "#   chaos    nothing dissipates in some cells, so that nothing settles there: they stay unresolved, "
+                       "whatever steady_state.max_cycles is\n";
+            }
+            cycles = std::max(cycles, regime::cycles_for_chaos(oscillator, job.steady_state, impacts));
         }
     }
     if (cycles <= far * job.steady_state.max_cycles) return "";

@@ -51,6 +51,12 @@ struct Oscillator {
     [[nodiscard]] KelvinVoigt<Real>& kelvin_voigt() { return std::get<KelvinVoigt<Real>>(contact); }
 };
 
+// Whether nothing takes energy from the hammer.
+template <class Real>
+[[nodiscard]] bool is_conservative(const Oscillator<Real>& oscillator) {
+    return oscillator.damping_ratio == 0 && is_lossless(oscillator.contact);
+}
+
 // The same hammer with linear springs.
 template <class Real>
 [[nodiscard]] Oscillator<Real> without_cubic(Oscillator<Real> oscillator) {

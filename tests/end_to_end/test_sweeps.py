@@ -6,7 +6,7 @@ import shutil
 import signal
 
 import h5py
-import numpy
+import numpy as np
 import pytest
 
 import jobs
@@ -89,10 +89,10 @@ def test_branches_hold_their_motions(small_sweep_file):
         assert file["gap_ratio"][:].tolist() == [0, 0, 1.5, 1.5, 2.5, 2.5]
         assert file["direction"][:].tolist() == [0, 1, 0, 1, 0, 1]
         periodic = file["regime"][:] == 1
-        stored = numpy.isfinite(file["stroboscopic_displacement"][:]).sum(axis=2)
-        touches = numpy.isfinite(file["impact_velocity"][:]).sum(axis=2)
-        assert (stored[periodic] == numpy.minimum(file["period"][:][periodic], 8)).all()
-        assert (touches[periodic] == numpy.minimum(file["impacts"][:][periodic], 8)).all()
+        stored = np.isfinite(file["stroboscopic_displacement"][:]).sum(axis=2)
+        touches = np.isfinite(file["impact_velocity"][:]).sum(axis=2)
+        assert (stored[periodic] == np.minimum(file["period"][:][periodic], 8)).all()
+        assert (touches[periodic] == np.minimum(file["impacts"][:][periodic], 8)).all()
         assert (touches[file["regime"][:] == 0] == 0).all()
         # no jump at gap 0; at 1.5 from z = 1/1 to no impact after 1.862 going up, and back before 1.732 going down
         frequency = file["frequency_ratio"][:]
@@ -138,3 +138,29 @@ def test_one_direction_alone_and_fields_on_request(tmp_path):
         assert file["direction"][:].tolist() == [2, 2, 2]
         assert file["multiplier"].shape == (3, 5)
         assert file["stroboscopic_velocity"].shape == (3, 5, 8)
+
+
+def test_jumps_on_a_rigid_stop_are_those_of_its_impact_speed(tmp_path):
+    """It has no peak force; whether the speed is stored makes no difference to where the jumps are."""
+    marks, said = {}, {}
+    for name, fields in (("with", '[output]\nfields = ["impact_speed"]\n'), ("without", "")):
+        jobs.write(tmp_path, jobs.with_rigid_stop(jobs.small_sweep(points=81)) + fields, f"{name}.toml")
+        finished = launch.run("run", f"{name}.toml", cwd=tmp_path)
+        assert finished.returncode == 0, finished.stderr
+        said[name] = finished.stdout
+        with h5py.File(tmp_path / f"{name}.h5") as sweep:
+            marks[name] = sweep["jump"][()]
+            if name == "with":
+                speed, regime, down = sweep["impact_speed"][()], sweep["regime"][()], sweep["direction"][()] == 1
+    assert np.array_equal(marks["with"], marks["without"]) and np.any(marks["with"])
+    for row in range(len(speed)):
+        change = np.abs(np.diff(speed[row]))
+        jumps = np.flatnonzero(marks["with"][row]) - (0 if down[row] else 1)  # step between a point and the next one
+        assert np.all(change[jumps] > np.max(speed[row]) / 20)
+        settled = np.isin(regime[row], [0, 1])
+        lonely = [step for step in np.flatnonzero(change > 0.3 * np.max(speed[row]))
+                  if settled[max(step - 4, 0):step + 6].all() and np.sort(change[max(step - 4, 0):step + 5])[-2] < change[step] / 5]
+        assert set(lonely) <= set(jumps), (row, lonely, jumps)
+    line = next(line for line in said["with"].splitlines() if "jumps" in line and "from" in line)
+    assert "m/s)" in line or "(0 m/s)" in line, line
+    assert "not looked for" not in said["without"] and " N)" not in line

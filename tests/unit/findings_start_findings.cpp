@@ -65,6 +65,22 @@ TEST(StartFindings, EachCellCountsOnceForWhatIsTrueOfIt) {
     EXPECT_EQ(findings.pairs, (std::map<AttractorPair, std::int64_t>{{pair, 4}}));
 }
 
+TEST(StartFindings, UnresolvedMotionsAreNeitherWithImpactsNorWithout) {
+    const StoredAttractor unresolved{.regime = Regime::unresolved, .share = 0.25};
+    const StoredAttractor known_unresolved{.regime = Regime::unresolved, .share = 0};
+    Row row;
+    row.add(0, {unresolved});
+    row.add(0, {swinging_free, unresolved});
+    row.add(0, {striking, unresolved});
+    row.add(0, {striking, known_unresolved}, 1);
+    row.add(0, {swinging_free, {.regime = Regime::sustained_contact, .share = 0.25}});
+    StartFindings findings;
+    row.add_to(findings);
+    EXPECT_EQ(findings.counts.mixed, 0);
+    EXPECT_EQ(findings.counts.never_hit, 1);
+    EXPECT_EQ(findings.counts.known_free, 0);
+}
+
 TEST(StartFindings, AreSumsOverTheTiles) {
     Row row;
     row.add(-1, {swinging_free, striking}, 5);

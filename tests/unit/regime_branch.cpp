@@ -243,6 +243,14 @@ TEST(Jumps, AreMarkedWhereTheDirectionLands) {
     EXPECT_EQ(jumps_of(forces, Regime::periodic, Direction::down), std::vector<std::size_t>{1});
 }
 
+TEST(Jumps, AreOfImpactSpeedsOnARigidStopWhichHasNoForce) {
+    auto points = with_forces({unknown, unknown, 0, unknown, unknown}, Regime::periodic);
+    points[2].cell.regime = Regime::no_impact;
+    for (const std::size_t i : {0, 1, 3, 4}) points[i].cell.impact_speed = i < 2 ? 1.0 : 0.01;
+    mark_jumps(points, Direction::up);
+    EXPECT_EQ(jumps(points), std::vector<std::size_t>{2});
+}
+
 TEST(Jumps, AreNoSteepSlopes) {
     EXPECT_EQ(jumps_of({0, 20, 40, 60, 80, 100}, Regime::periodic), std::vector<std::size_t>());
     EXPECT_EQ(jumps_of({0, 4, 8, 12, 16, 20}, Regime::periodic), std::vector<std::size_t>());

@@ -75,5 +75,16 @@ TEST(Price, ASweepByAnIntegratorHasATime) {
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
 }
 
+TEST(Price, WhereNothingDissipatesNoNumberOfCyclesIsAdvised) {
+    job::Job job = small_map(10, 20);
+    job.contact = job::Restitution{.coefficient = 1};
+    EXPECT_EQ(long_chaos_price(job).find("nothing dissipates"), std::string::npos) << long_chaos_price(job);
+    job.hammer.damping_ratio = 0;
+    job.hammer.damping_ns_per_m.reset();
+    const std::string told = long_chaos_price(job);
+    EXPECT_NE(told.find("nothing dissipates"), std::string::npos) << told;
+    EXPECT_EQ(told.find("With max_cycles"), std::string::npos) << told;
+}
+
 }  // namespace
 }  // namespace peterka
