@@ -70,7 +70,7 @@ def test_the_best_place_and_what_fresh_draws_say_of_it(tmp_path, plane, monkeypa
     assert f"of 1,024 rigs, 960 of them new, {places}, 95 % reach {fresh:.4g} N" in line and "rigs = 1024" in job
     assert line.startswith("it holds" if fresh >= best else "it falls short")
     assert ("gap_m]\nfrom = -8" in job) == ("gap within" in places)
-    assert len(cells["gap_ratio"]) == (2 if "gap within" in places else 5)
+    assert len(cells["gap_ratio"]) == (1 if "gap within" in places else 5)
 
     place = [float(number) for number in re.search(r"best: frequency_ratio ([\d.]+) .*, gap_ratio ([\d.]+) ", told).groups()]
     forces = plain_forces(place, plane[1] is not None, monkeypatch)

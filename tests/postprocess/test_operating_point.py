@@ -12,16 +12,17 @@ from matplotlib.patches import Rectangle
 from peterka.cli import operating_point
 from peterka.files import job_numbers
 from peterka.maps.map_file import PeterkaFile
-from peterka.operating import picture, told
+from peterka.operating import picture, told, verify
 from peterka.operating.admitted import Quantity, admitted, read_code
 from peterka.operating.drift import reach, worst_of_boxes
 from peterka.operating.places import Place, best_places
 from peterka.plotting.notes import write_beside, write_near_box
 from peterka.plotting.seen import SEEN
-from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
+from picture_samples import CHAOTIC, NO_IMPACT, SUSTAINED, orbit, write_basin, write_map
 from picture_texts import has_scales
-from sealing import seal_file
+from sealing import SealedFile, seal_file
 from starts_samples import EMPTY, add_starts
+from sweep_samples import write_sweep
 
 WEIGHT = 0.298 * 9.80665
 ONE, TWICE = orbit(1, 1), orbit(2, 2)
@@ -392,12 +393,163 @@ def test_the_label_of_a_box_stands_beside_it_and_never_over_it(left, low, width,
     plt.close(figure)
 
 
+MASSES, HERTZ = np.linspace(0.1, 0.5, 5), np.linspace(8.0, 10.0, 6)
+OVER_MASSES = JOB.replace("mass_kg = 0.298, ", "").replace("gap_ratio = {", "hammer.mass_kg = {").replace("frequency_ratio", "frequency_hz")
+OVER_MASSES += "operating_point = { gap_ratio = 0.4 }\n"
+
+
+def write_over(path, columns, rows, job, forces=None, shared=("natural_frequency_hz", "cart_amplitude_m", "hammer_mass_kg")):
+    """A map of 1/1 over other axes, each (name, values); `shared`: which of the root attributes its cells have in common."""
+    write_map(path, np.broadcast_to(ONE, (len(rows[1]), len(columns[1]), 3)), forces=forces, job=job)
+    with SealedFile(path, "r+") as file:
+        for name, values in (columns, rows):
+            file[name] = values
+        for name in {"natural_frequency_hz", "cart_amplitude_m", "hammer_mass_kg"} - set(shared):
+            del file.attrs[name]
+    return path
+
+
+def over_masses(path, job=OVER_MASSES):
+    """Over the weight, the forces of the lightest hammer are the largest; in N, those of the heaviest."""
+    ratios = 100 / np.sqrt(MASSES)[:, None] * np.linspace(1, 1.5, 6)
+    write_over(path, ("frequency_hz", HERTZ), ("hammer_mass_kg", MASSES), job, ratios, ("natural_frequency_hz", "cart_amplitude_m"))
+    return path, ratios * MASSES[:, None] * 9.80665
+
+
+def test_forces_are_those_of_each_cells_own_mass(tmp_path, run_program, monkeypatch):
+    path, newtons = over_masses(tmp_path / "a.h5")
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    code, out, err = run_program("operating_point", path, "--hz", 0.4)
+    assert (code, err) == (0, "") and "weight" not in out
+    assert f"hammer mass 0.5 kg, z = 1/1: at least {newtons[4, 3]:.4g} N in all cells of its box" in out  # of the lowest of three frequencies
+    assert f"there, from the job's own start: peak force {newtons[4, 4]:.4g} N" in out
+    first, second = (line.split() for line in out.splitlines() if re.match(r" *[12]  1/1", line))
+    assert first[3:] == ["0.5", f"{newtons[4, 3]:.4g}", f"{newtons[4, 4]:.4g}"] and second[3:5] == ["0.4", f"{newtons[3, 3]:.4g}"]
+    assert drawn[0].axes[0].collections[-1].get_clim()[1] == pytest.approx(newtons[4, 3])
+
+
+def test_places_of_an_unknown_mass_are_ranked_by_weight(tmp_path, run_program):
+    path = write_map(tmp_path / "a.h5", [[ONE] * 6] * 5)
+    with SealedFile(path, "r+") as file:
+        del file.attrs["hammer_mass_kg"]
+    code, out, err = run_program("operating_point", path, "--hz", 0, "--mm", 0, "--formats", "png")
+    assert (code, err) == (0, "") and "worst of its box [F/(m g)]" in out
+    assert "the file doesn't tell the hammer's mass: the order is that of forces over its weight, not of those in N" in out
+
+
+def test_a_verified_force_is_that_of_the_own_mass(tmp_path, run_program):
+    path, _ = over_masses(tmp_path / "a.h5")
+    code, out, err = run_program("operating_point", path, "--hz", 0.4, "--verify", "--formats", "png")
+    with h5py.File(tmp_path / "pictures" / "a_box.h5") as box:
+        assert box["regime"].shape == (1, 17) and box["hammer_mass_kg"][()] == [0.5]
+        worst = box["peak_force_ratio"][()].min() * 0.5 * 9.80665
+    assert (code, err) == (0, "") and f"17 cells of the finer box, all of the same regime, the worst has {worst:.4g} N, at frequency " in out
+
+
+def test_a_place_of_the_finer_box_is_told_in_the_numbers_of_the_map(tmp_path, run_program):
+    """The natural frequency is the same in all of the box, whose frequencies could be shown as ratios then."""
+    job = OVER_MASSES.replace("natural_frequency_hz = 4.5, ", "mass_kg = 0.298, ").replace("hammer.mass_kg", "hammer.natural_frequency_hz")
+    path = write_over(tmp_path / "a.h5", ("frequency_hz", HERTZ), ("hammer_natural_frequency_hz", np.linspace(4.3, 4.7, 5)), job,
+                      np.full((5, 6), 1e4), ("cart_amplitude_m", "hammer_mass_kg"))
+    code, out, err = run_program("operating_point", path, "--hz", 0.4, "--verify", "--formats", "png")
+    place, natural = re.search(r"it falls short by .*, at frequency ([\d.]+) Hz, natural frequency ([\d.]+) Hz\n", out).groups()
+    assert (code, err) == (0, "") and 8 <= float(place) <= 10 and float(natural) == pytest.approx(4.5)
+
+
+@pytest.mark.parametrize("rows, columns, drift, cells", [
+    (1, 6, "drift ±0.5 Hz", " in all 17 cells of the finer box: the worst"),
+    (5, 1, "drift ±0.1 mm", " in all 17 cells of the finer box: the worst"), (1, 1, "no drift", ": the place, computed again,")])
+def test_an_axis_of_one_value_does_not_drift(tmp_path, run_program, rows, columns, drift, cells):
+    gaps, frequencies = np.linspace(0.2, 1.0, 5)[:rows], np.linspace(1.5, 2.3, 6)[-columns:]
+    path = write_map(tmp_path / "a.h5", [[ONE] * columns] * rows, frequency_ratio=frequencies, gap_ratio=gaps, forces=np.ones((rows, columns)),
+                     job=JOB)
+    code, out, err = run_program("operating_point", path, "--verify", "--formats", "png")
+    assert (code, err) == (0, "") and f"own start, {drift}: one motion" in out and re.search(f"it holds{cells} has [\\d.]+ N", out), out
+    assert (tmp_path / "pictures" / "a_operating_point.png").exists()
+    for size, option, what in ((rows, "--mm", "gap"), (columns, "--hz", "frequency")):
+        code, _, err = run_program("operating_point", path, option, 0.1, "--formats", "png")
+        assert (code == 2 and f"has one and the same {what} in all cells" in err and err.count("\n") == 1) if size == 1 else code == 0, err
+
+
+@pytest.mark.parametrize("points, most", [(2, "0"), (3, "1.5"), (4, "1"), (7, "1.5"), (12, "1.363")])
+def test_the_widest_drift_that_is_told_is_allowed(tmp_path, run_program, points, most):
+    """Over 3 Hz: where no cell is in the middle, it is less than 1.5."""
+    path = write_map(tmp_path / "a.h5", [[ONE] * points] * 3, frequency_ratio=np.linspace(9, 12, points) / 4.5,
+                     gap_ratio=np.linspace(0.2, 0.4, 3), job=JOB)
+    code, _, err = run_program("operating_point", path, "--hz", 1.6, "--mm", 0)
+    assert code == 2 and f"from 9 to 12 Hz: a drift of ±1.6 Hz leaves that from each of its cells; allow at most ±{most} Hz" in err
+    assert run_program("operating_point", path, "--hz", most, "--mm", 0, "--formats", "png")[0] == 0
+
+
+def test_a_single_place_may_not_hold(tmp_path, run_program):
+    path = write_map(tmp_path / "a.h5", [[orbit(1, 2)]], frequency_ratio=[2.0], gap_ratio=[0.5], job=JOB)
+    assert "it doesn't hold: the place, computed again, has another regime" in run_program("operating_point", path, "--verify", "--formats", "png")[1]
+    write_map(path, [[ONE]], frequency_ratio=[2.0], gap_ratio=[0.5], forces=[[1e4]], job=JOB)
+    assert re.search(r"it falls short by [\d.]+ %: the place, computed again, has [\d.]+ N, at", run_program("operating_point", path, "--verify")[1])
+    with PeterkaFile(path) as file:
+        place, found = Place(0, 0, 200.0, 200.0, (1, 1), 1.0), verify.Verified(1, 0, 200.0 * (1 - 1e-15), (0.5, 2.0))
+        assert verify.text_of(file, place, found, Quantity("peak_force", "peak force", 1.0, "N")).endswith("has 200 N (+0 %)")
+
+
+@pytest.mark.parametrize("name, head", [
+    ("contact_stiffness_n_per_m", "stop stiffness [N/m]"), ("contact_stiffness_n_per_m_pow_n", "stop stiffness [N/m^n]"),
+    ("contact_exponent", "exponent of the stop"), ("cart_amplitude_m", "cart amplitude [mm]")])
+def test_axes_have_names_and_units(tmp_path, run_program, monkeypatch, name, head):
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    what, _, unit = head.rstrip("]").partition(" [")
+    at = f"{what} {'500' if unit == 'mm' else '0.5'} {unit}".rstrip()
+    job = OVER_MASSES.replace("frequency_hz = {", f"{name.replace('_', '.', 1)} = {{").replace("{ gap_ratio", "{ frequency_ratio = 2.0, gap_ratio")
+    path = write_over(tmp_path / "a.h5", (name, HERTZ / 16), ("hammer_mass_kg", MASSES), job, 100 - np.arange(6.0) - np.zeros((5, 1)), ())
+    code, out, err = run_program("operating_point", path)
+    assert (code, err) == (0, "") and f"z  {head}  hammer mass [kg]  worst" in out and f"best: {at}, hammer mass 0.5 kg, z = 1/1" in out
+    told = f"no drift, {what} and hammer mass as they are set"
+    assert f"own start, {told}: one motion" in out and told in " ".join(drawn[0]._suptitle.get_text().split())
+
+
+def test_the_place_that_all_cells_share_is_in_the_title(tmp_path, run_program, monkeypatch):
+    path, _ = over_masses(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file.attrs["gap_ratio"] = 0.4
+    drawn = []
+    monkeypatch.setattr(operating_point, "save_all", lambda figure, *_: drawn.append(figure))
+    out = run_program("operating_point", path, "--hz", 0.4)[1]
+    assert "own start, drift ±0.4 Hz, hammer mass as it is set: one motion" in out
+    assert drawn[0]._suptitle.get_text().splitlines()[:2] == ["Sample", "gap/A₀ = 0.4"]
+
+
+@pytest.mark.parametrize("cells, shares, arguments, reason", [
+    ([[SUSTAINED] * 6] * 5, 1.0, (), "has no cell with more than half of its starts in one motion with impacts, whatever the drift"),
+    ([[SUSTAINED] * 6] * 5, 1.0, ("--starts", "job"), "has no cell with the job's own start in one motion with impacts, whatever the drift"),
+    ([[ONE] * 6] * 5, 1.0, ("--regime", "2/2"), "more than half of its starts in one motion with impacts of 2/2, whatever the drift"),
+    ([[ONE] * 6] * 5, 0.6, ("--hz", 0, "--mm", 0), "with impacts even without drift, and the hammer can swing without impact in 46.7 % of the boxes; "
+     "allow a share of the starts (--starts share 0.9)"),
+    ([[ONE] * 6] * 5, 0.6, ("--starts", "share", 0.8, "--mm", 0), "with impacts at a drift ±0.5 Hz, where boxes are ±2.7 Hz; allow fewer starts"),
+    ([[ONE, TWICE] * 3] * 5, 1.0, ("--mm", 0), "of the boxes; allow less drift, or a share of the starts (--starts share 0.9)"),
+    ([[ONE, TWICE] * 3] * 5, 1.0, ("--mm", 0, "--starts", "job"), "at a drift ±0.5 Hz, where boxes are ±2.7 Hz; allow less drift")])
+def test_only_what_may_help_is_advised(tmp_path, run_program, cells, shares, arguments, reason):
+    shape = np.shape(cells)[:2]
+    write_map(tmp_path / "a.h5", cells, job=JOB + STARTS)
+    share = np.full(shape, shares)
+    path = add_starts(tmp_path / "a.h5", [cells, np.broadcast_to(SUSTAINED if shares < 1 else EMPTY, np.shape(cells))], [share, 1 - share],
+                      np.full((2, *shape), 7.0), np.zeros(shape))
+    code, _, err = run_program("operating_point", path, *arguments)
+    assert code == 2 and err.endswith(f"{reason}\n") and err.count("\n") == 1, err
+
+
+def test_other_files_are_told_that_a_map_is_needed(tmp_path, run_program):
+    for path in (write_sweep(tmp_path / "sweep.h5"), write_basin(tmp_path / "basin.h5")):
+        code, _, err = run_program("operating_point", path)
+        assert code == 2 and err.endswith(f"{path} is of kind '{path.stem}'; a map file is needed\n"), err
+
+
 @pytest.mark.parametrize("arguments, reason", [
     (("--starts", "share", "0.5"), "share and a number above 0.5"),
     (("--starts", "some"), "any, job, or share"),
     (("--hz", "-1"), "0 or a number above"),
     (("--regime", "1/1,2"), "is not a list of p/q"),
-    (("--hz", "50"), "a drift of ±50 Hz leaves that from each of its cells; allow at most ±6.75 Hz"),
+    (("--hz", "50"), "a drift of ±50 Hz leaves that from each of its cells; allow at most ±5.4 Hz"),
     (("--mm", "20"), "has its gap from 0 to 2.67 mm: a drift of ±20 mm leaves that"),
     (("--regime", "7/3"), "of 7/3"),
     (("--starts", "any"), "from one start alone"),

@@ -10,10 +10,10 @@ anywhere within the drift; the default), at least a share of them above one half
 between two cells takes the farther one, too; how far boxes reach is told then. A drift wider than the map, or along what it doesn't
 vary, is refused. It is told what of that is
 proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
-17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten
-best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the drift around the
-best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the folder of the
-pictures, and says whether its worst value is as good there, or by how much it falls short.
+17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, W and N, by each cell's own
+mass, and the ten best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the
+drift around the best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the
+folder of the pictures, and says whether its worst value is as good there, or by how much it falls short.
 --risk 0.95 asks a map with [uncertainty], whose cells have many drawn rigs, each from a start of its own where it has [starts], for the
 largest value that is reached with this probability, drift, starts and rig taken together, whatever the motion, or in that of
 --regime. A probability that the number of draws can't tell is refused (59 can tell 0.95). --verify draws many more rigs, at places
@@ -28,13 +28,14 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Mask
 from ..errors import PeterkaFileError
 from ..files.regimes import PERIODIC
 from ..maps.comparison import label_codes
-from ..maps.map_file import PeterkaFile
+from ..maps.map_file import COORDINATES, PeterkaFile
 from ..maps.outcomes import draws_of
 from ..operating import fresh_draws, picture, risk, told, verify, words
-from ..operating.admitted import ANY, JOB, NO_REGIME, QUANTITIES, admitted, has_starts, quantity_of
+from ..operating.admitted import ANY, JOB, NO_REGIME, OVER_WEIGHT, QUANTITIES, Admitted, Quantity, admitted, has_starts, quantity_of
 from ..operating.drift import USUAL, Reach, reach, read_drift, worst_of_boxes
 from ..operating.places import Place, best_places
 from ..plotting.style import using
@@ -42,6 +43,15 @@ from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
 from .picture_options import add_look_arguments, check_style, style_of
+
+
+MORE_THAN_HALF = 0.5 + 1e-6  # a share of the starts
+
+
+class MapFile(PeterkaFile):
+    """A map, and no basin."""
+
+    coordinates = {"map": COORDINATES["map"]}
 
 
 def main() -> int:
@@ -52,7 +62,7 @@ def main() -> int:
 def _operating_point() -> int:
     arguments = read_arguments()
     try:
-        with PeterkaFile(arguments.map) as file, using(**style_of(arguments)):
+        with MapFile(arguments.map) as file, using(**style_of(arguments)):
             return operate(file, arguments)
     except (PeterkaFileError, verify.NotVerified) as refusal:
         complain(refusal)
@@ -64,8 +74,6 @@ def _operating_point() -> int:
 
 def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     """The whole of it, of an open map; the exit code."""
-    if file.kind != "map":
-        raise file.refusal(f"is a {file.kind}; a map is needed")
     if arguments.risk is not None:
         return operate_at_risk(file, arguments)
     starts = arguments.starts
@@ -78,7 +86,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     quantity = quantity_of(file, arguments.quantity or "peak_force")
     drift = read_drift(file, {"Hz": arguments.hz, "mm": arguments.mm})
     rows, columns = (reach(file, axis, *drift) for axis in (file.rows, file.columns))
-    found = admitted(file, starts, quantity.name)
+    found = quantity.of(admitted(file, starts, quantity.name))
     worst = worst_of_boxes(found, rows, columns, codes_of(arguments.regime))
     asks = starts != JOB or told.has_job(file)  # a map made by hand may have none
     stays_free = told.may_stay_free(file, rows, columns) if asks else np.zeros(file.shape, dtype=bool)
@@ -88,20 +96,12 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
     apart, boxes = words.boxes_in_words(file, rows, columns)
     if not places:
-        struck = found.code != NO_REGIME
-        if quantity.name == "peak_force" and struck.any() and np.isnan(found.value[struck]).all():
-            raise file.refusal("has no peak forces, as where the stop is rigid: --quantity impact_speed finds the hardest blow")
-        inside = rows.inside[:, None] & columns.inside[None, :]
-        free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
-            starts == ANY) else ""
-        less = "a share of the starts (--starts share 0.9)" if starts == ANY else "fewer starts"
-        raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
-                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}"
-                           f"{f', where {boxes}' if boxes else ''}{free}; allow less drift{f', or {less}' if starts != JOB else ''}")
+        raise refusal_of(file, arguments, starts, quantity, found, (rows, columns), stays_free)
     tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
          f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
     if boxes:
         tell(f"  {apart}: {boxes}")
+    tell_of_weights(quantity)
     for line in what_is_told(file, starts, places[0], (rows, columns), bool(stays_free[places[0].row, places[0].column])):
         tell(f"  {line}")
     for line in words.table(file, places, quantity, None if starts in (ANY, JOB) else "smallest share"):
@@ -128,18 +128,17 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         raise file.refusal(f"keeps of its drawn rigs the {quantity.name} alone; --risk doesn't go with --quantity {arguments.quantity}")
     widths = read_drift(file, {"Hz": arguments.hz, "mm": arguments.mm})
     rows, columns = (reach(file, axis, *widths) for axis in (file.rows, file.columns))
-    found = risk.admitted_at(file, arguments.risk, arguments.regime)
+    found = quantity.of(risk.admitted_at(file, arguments.risk, arguments.regime))
     worst = worst_of_boxes(found, rows, columns)
     places = risk.with_motions(file, best_places(worst, found, rows, columns), rows, columns)
     drift = words.drift_in_words(file, rows, columns)
     apart, boxes = words.boxes_in_words(file, rows, columns)
     if not places:
-        regimes = f" in {','.join(arguments.regime)}" if arguments.regime else ""
-        raise file.refusal(f"has no place at which the hammer impacts{regimes} with a probability of {arguments.risk:g} at a {drift}"
-                           f"{f', where {boxes}' if boxes else ''}; allow less drift, or ask for a smaller probability")
+        raise refusal_at_risk(file, arguments, found, (rows, columns))
     tell(f"{file.title}\n{quantity.title}, {drift}: above 0 in the boxes of {100 * float(np.mean(worst > 0)):.3g} % of the cells")
     if boxes:
         tell(f"  {apart}: {boxes}")
+    tell_of_weights(quantity)
     tell(f"  {risk.text_of_sampling(file, arguments.risk, draws)}")
     for line in risk.strange_offsets(file):
         tell(f"  {line}")
@@ -154,6 +153,55 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
                                         arguments.ranks, arguments.peterka)
         tell(fresh_draws.text_of(fresh, places[0], arguments.risk, quantity))
     return DONE
+
+
+def refusal_of(file: PeterkaFile, arguments: argparse.Namespace, starts: str | float, quantity: Quantity, found: Admitted,
+               reaches: tuple[Reach, Reach], stays_free: Mask) -> PeterkaFileError:
+    """That no place has what is asked for, and what of that may be allowed instead, if anything."""
+    strikes = found.code != NO_REGIME
+    if quantity.name == "peak_force" and strikes.any() and np.isnan(found.value[strikes]).all():
+        return file.refusal("has no peak forces, as where the stop is rigid: --quantity impact_speed finds the hardest blow")
+    asked = f"in one motion with impacts{' of ' + ','.join(arguments.regime) if arguments.regime else ''}"
+    has_any, with_fewer = (has_motion(each, arguments.regime) for each in (
+        found, found if starts == JOB else admitted(file, MORE_THAN_HALF, quantity.name)))
+    if not with_fewer:
+        of = words.starts_in_words(starts)[5:] if starts == JOB else "more than half of its starts"
+        return file.refusal(f"has no cell with {of} {asked}, whatever the drift")
+    inside = reaches[0].inside[:, None] & reaches[1].inside[None, :]
+    free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
+        starts == ANY) else ""
+    fewer = "a share of the starts (--starts share 0.9)" if starts == ANY else "fewer starts"
+    return file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} {asked} {words.at_drift(file, *reaches)}{free}" + instead(
+        "less drift" if has_any and words.drifts(*reaches) else "", fewer if starts != JOB else ""))
+
+
+def refusal_at_risk(file: PeterkaFile, arguments: argparse.Namespace, found: Admitted, reaches: tuple[Reach, Reach]) -> PeterkaFileError:
+    """The same for a value that is reached with a probability."""
+    asked = f"at which the hammer impacts{' in ' + ','.join(arguments.regime) if arguments.regime else ''} with a probability of "
+    has_any, with_less = (bool(np.any((each.code != NO_REGIME) & (each.value > 0))) for each in (
+        found, risk.admitted_at(file, min(risk.KEPT), arguments.regime)))
+    if not has_any and not with_less:
+        return file.refusal(f"has no cell {asked}{min(risk.KEPT):g}, whatever the drift")
+    return file.refusal(f"has no place {asked}{arguments.risk:g} {words.at_drift(file, *reaches)}" + instead(
+        "less drift" if has_any and words.drifts(*reaches) else "", "a smaller probability" if arguments.risk > min(risk.KEPT) and with_less else ""))
+
+
+def has_motion(found: Admitted, regimes: list[str] | None) -> bool:
+    """Whether a cell has a motion with impacts, one of ["p/q"] or any, whatever its neighbours have."""
+    codes = codes_of(regimes)
+    return bool(np.any(found.code != NO_REGIME if codes is None else np.isin(found.code, list(codes))))
+
+
+def instead(*allowed: str) -> str:
+    """What may be allowed instead, as the end of a refusal; those that are empty are left out."""
+    told = ", or ".join(filter(None, allowed))
+    return f"; allow {told}" if told else ""
+
+
+def tell_of_weights(quantity: Quantity) -> None:
+    """Says so where places are ranked by forces over the weight."""
+    if quantity.unit == OVER_WEIGHT:
+        tell("  the file doesn't tell the hammer's mass: the order is that of forces over its weight, not of those in N")
 
 
 def what_is_told(file: PeterkaFile, starts: str | float, best: Place, reaches: tuple[Reach, Reach], stays_free: bool) -> list[str]:

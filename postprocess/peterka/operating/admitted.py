@@ -13,7 +13,7 @@ Only orbits with impacts count: the largest observed force of chaos is not relia
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -21,11 +21,14 @@ from numpy.typing import NDArray
 
 from ..arrays import Integers, Mask, Reals
 from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.opened import STANDARD_GRAVITY
 from ..files.regimes import NOT_COMPUTED, PERIODIC, check_labels
 from ..maps.comparison import label_codes
 from ..maps.map_file import PeterkaFile
+from ..maps.rig_numbers import along_axes, values_of
 
 ANY, JOB = "any", "job"
+OVER_WEIGHT = "F/(m g)"  # the unit of forces where no mass is known
 MOST_SLOTS = 64
 ROUNDING = 1e-9  # of a sum of shares
 NO_REGIME = -1  # below every label code
@@ -35,23 +38,28 @@ QUANTITIES = {"peak_force": "peak_force_ratio", "contact_power": "contact_power_
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """The quantity to maximise: `name` from QUANTITIES, `title`, and the factor from the stored numbers to `unit`."""
-
-    name: str
-    title: str
-    factor: float
-    unit: str
-
-
-@dataclass(frozen=True)
 class Admitted:
     """On [rows][columns]: `code` of the regime (label_codes; NO_REGIME if there is no single one), the worst `value` [as
-    stored; NaN if the file lacks it], and the `share` of the starts that end in it (1 for `job`)."""
+    stored, or in the unit of a Quantity; NaN if the file lacks it], and the `share` of the starts that end in it (1 for `job`)."""
 
     code: Integers
     value: Reals
     share: Reals
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """The quantity to maximise: `name` from QUANTITIES, `title`, and the factor from the stored numbers to `unit`, for all cells or on
+    [rows][columns]."""
+
+    name: str
+    title: str
+    factor: float | Reals
+    unit: str
+
+    def of(self, stored: Admitted) -> Admitted:
+        """An Admitted with its values in this unit."""
+        return replace(stored, value=stored.value * self.factor)
 
 
 def quantity_of(file: PeterkaFile, name: str) -> Quantity:
@@ -60,9 +68,21 @@ def quantity_of(file: PeterkaFile, name: str) -> Quantity:
     if dataset != "peak_force_ratio" and dataset not in file.quantities:
         raise file.refusal(f'has no {dataset}; compute it with --set \'output.fields=["{dataset}"]\'')
     if name == "peak_force":
-        return Quantity(name, "peak force", file.newtons or 1.0, "N" if file.newtons else "F/(m g)")
+        return force_quantity(file, "peak force")
     return Quantity(name, {"contact_power": "power into the contact", "impact_speed": "impact speed"}[name], 1.0,
                     "W" if name == "contact_power" else "m/s")
+
+
+def force_quantity(file: PeterkaFile, title: str) -> Quantity:
+    """The Quantity of peak forces, in N by each cell's own mass, over the weight where the file tells none."""
+    weights = weights_of(file)
+    return Quantity("peak_force", title, 1.0, OVER_WEIGHT) if weights is None else Quantity("peak_force", title, weights, "N")
+
+
+def weights_of(file: PeterkaFile) -> Reals | None:
+    """The weight of each cell's hammer [N], (rows, columns); None if the file tells no mass."""
+    mass = file.positive("hammer_mass_kg") or values_of(file, along_axes(file), "hammer_mass_kg")
+    return None if mass is None else np.broadcast_to(mass * STANDARD_GRAVITY, file.shape)
 
 
 def has_starts(file: PeterkaFile) -> bool:

@@ -18,6 +18,7 @@ from ..maps.map_file import Axis, PeterkaFile
 from .admitted import NO_REGIME, Admitted
 
 TOUCH = 1e-9  # of a step: rounding
+ROUNDING = 1e-6  # of a thousandth of a Hz or mm
 OF_UNITS = {"Hz": "frequency", "mm": "gap"}  # what drifts in these
 USUAL = {"Hz": 0.5, "mm": 0.1}  # half-widths where none is asked for
 
@@ -56,8 +57,9 @@ def unit_of(file: OpenedFile, name: str) -> Measured | None:
 
 def read_drift(file: PeterkaFile, asked: Mapping[str, float | None]) -> tuple[float, float]:
     """The half-widths (Hz, mm) of the drift that is asked for, {"Hz", "mm": half-width}, or the usual ones for None. Refuses one along what
-    the map doesn't vary, and one so wide that each of its boxes leaves the map."""
-    units = {measure.unit: (axis, measure) for axis in (file.columns, file.rows) if (measure := unit_of(file, axis.name))}
+    the map doesn't vary, where the usual one is none, and one so wide that each of its boxes leaves the map."""
+    units = {measure.unit: (axis, measure) for axis in (file.columns, file.rows)
+             if len(axis.values) > 1 and (measure := unit_of(file, axis.name))}
     widths = {unit: USUAL[unit] if width is None else width for unit, width in asked.items()}
     for unit, width in widths.items():
         what = OF_UNITS[unit]
@@ -65,12 +67,14 @@ def read_drift(file: PeterkaFile, asked: Mapping[str, float | None]) -> tuple[fl
             if asked[unit]:
                 raise file.refusal(f"has one and the same {what} in all cells, so that it doesn't tell what a drift of ±{width:g} {unit} does: "
                                    f"compute a map over the {what}, or leave this drift out")
+            widths[unit] = 0.0
             continue
         axis, own = units[unit]
         low, high = axis.values[[0, -1]] * own.factor
+        most = float(np.minimum(axis.values - axis.values[0], axis.values[-1] - axis.values).max() * own.factor)
         if not reach(file, axis, widths["Hz"], widths["mm"]).inside.any():
             raise file.refusal(f"has its {what} from {low:.4g} to {high:.4g} {unit}: a drift of ±{width:g} {unit} leaves that from each of its "
-                               f"cells; allow at most ±{(high - low) / 2:.3g} {unit}, or compute a wider map")
+                               f"cells; allow at most ±{np.floor(1e3 * most + ROUNDING) / 1e3:g} {unit}, or compute a wider map")
     return widths["Hz"], widths["mm"]
 
 
@@ -78,8 +82,8 @@ def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:
     """The Reach of a drift of this half-width; an axis that is neither a frequency nor a gap does not drift."""
     unit = unit_of(file, axis.name)
     width = 0.0 if unit is None else {"Hz": hz, "mm": mm}[unit.unit] / unit.factor
-    values, step = axis.values, float(np.diff(axis.values).min())
-    slack = TOUCH * step
+    values = axis.values
+    slack = TOUCH * float(np.diff(values).min()) if len(values) > 1 else 0.0
     inside = (values - width >= values[0] - slack) & (values + width <= values[-1] + slack)
     here = np.arange(len(values))
     before = here - np.searchsorted(values, values - width + slack, side="right") + 1

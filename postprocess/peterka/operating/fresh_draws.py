@@ -20,7 +20,7 @@ from ..plotting import units
 from .admitted import Quantity
 from .drift import unit_of
 from .places import Place
-from .risk import KEPT, assured
+from .risk import KEPT, assured, quantity_at
 from .verify import ROUNDING, NotVerified, axis_paths, compute, finer
 
 TIMES, FEWEST, MOST = 16, 1024, 10_000  # draws, times those of the map; at least and at most
@@ -30,8 +30,8 @@ SI = {"Hz": ("frequency_hz", 1.0), "mm": ("gap_m", 1e-3)}  # of a drift: key of 
 
 @dataclass(frozen=True)
 class Fresh:
-    """`rigs` drawn, `new` of them; the `value` reached with the probability asked for [as stored], and what of the place drifted, in
-    words, or is uncertain in the job already."""
+    """`rigs` drawn, `new` of them; the `value` reached with the probability asked for [in the unit of the Quantity], and what of the place
+    drifted, in words, or is uncertain in the job already."""
 
     rigs: int
     new: int
@@ -51,7 +51,7 @@ def draw_afresh(file: PeterkaFile, place: Place, drift: tuple[float, float], ris
     box = compute(file, sizes, {"uncertainty.rigs": rigs, **offsets}, folder / f"{file.path.stem}_draws", ranks, binary)
     with PeterkaFile(box) as found:
         name = quantiles(found.data)[KEPT[risk]]
-        value = float(np.min(found.data.values(name, slice(None))))
+        value = float(np.min(found.data.values(name, slice(None)) * quantity_at(found, risk).factor))
         rigs = draws_of(found).count
     if not math.isfinite(value):
         raise NotVerified(f"the fresh draws of {file.path} have no value")
@@ -63,7 +63,7 @@ def text_of(found: Fresh, place: Place, risk: float, quantity: Quantity) -> str:
     change = 100 * (found.value / place.worst - 1)
     judged = "it holds" if found.value >= place.worst * (1 - ROUNDING) else f"it falls short by {-change:.3g} %"
     return (f"{judged} in fresh draws: of {found.rigs:,} rigs, {found.new:,} of them new, {found.drifts}, {100 * risk:g} % reach "
-            f"{units.amount(quantity.factor * found.value, quantity.unit, 4)} ({change:+.2g} % beside the map's); of all at least "
+            f"{units.amount(found.value, quantity.unit, 4)} ({change:+.2g} % beside the map's); of all at least "
             f"{100 * assured(risk, found.rigs):.3g} %, in 19 cases of 20")
 
 

@@ -39,15 +39,15 @@ def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, 
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(entries, 2, None)], bar=True)
     axes.hatch_background(ax)
     _show_computed(ax, file, block)
-    factor, unit = units.with_prefix(quantity.factor * max(place.worst for place in places), quantity.unit)
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image) * quantity.factor * factor,
-                         cmap=scale_colours(), vmin=0, vmax=quantity.factor * factor * places[0].worst, rasterized=True)
+    factor, unit = units.with_prefix(max(place.worst for place in places), quantity.unit)
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image) * factor,
+                         cmap=scale_colours(), vmin=0, vmax=factor * places[0].worst, rasterized=True)
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
     bar.set_label(label_of_bar("worst of the box:", f"{quantity.title} ({unit})", " ", WIDTH), fontsize=8)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, f"{axes.so_far(file)}{starts}; {drift}")
+    axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), f"{axes.so_far(file)}{starts}; {drift}"])))
     _mark(ax, file, places, rows, columns, quantity)
     return figure
 
@@ -77,7 +77,7 @@ def _mark(ax: Axes, file: PeterkaFile, places: Sequence[Place], rows: Reach, col
     best = places[0]
     x, y = file.columns.values[best.column], file.rows.values[best.row]
     ax.plot(x, y, marker="x", markersize=4, markeredgewidth=1.1, color="black", path_effects=axes.outline(2.4), zorder=7)
-    write_near_box(ax, boxes[-1], f"{best.z}, {units.amount(quantity.factor * best.worst, quantity.unit)}")
+    write_near_box(ax, boxes[-1], f"{best.z}, {units.amount(best.worst, quantity.unit)}")
     written = {text.get_text() for text in ax.texts}
     for number, extent in enumerate(reversed(boxes), 1):  # numbers that are larger than their box
         if number > 1 and str(number) not in written:

@@ -14,7 +14,7 @@ MOST = 10
 
 @dataclass(frozen=True)
 class Place:
-    """A cell: its indices, the worst value in its box and its own value [as stored], its orbit (p, q), and the smallest
+    """A cell: its indices, the worst value in its box and its own value [in the unit of the Quantity], its orbit (p, q), and the smallest
     share, over its box, of the starts that end in it; `motion`, where drawn rigs may end in several: the commonest one, whose
     probability is the share then."""
 

@@ -18,7 +18,7 @@ from ..maps.map_file import PeterkaFile
 from ..maps.rig_numbers import along_axes, deviation_of, values_of
 from ..maps.outcomes import OUTCOMES, Draws, draws_of, probability, quantiles
 from ..sampling import draws_needed, least_share_above
-from .admitted import NO_REGIME, Admitted, Quantity
+from .admitted import NO_REGIME, Admitted, Quantity, force_quantity
 from .drift import Reach
 from .places import Place, box_of
 
@@ -45,7 +45,7 @@ def quantity_at(file: PeterkaFile, risk: float) -> Quantity:
     """The Quantity that is reached with this probability: a peak force, or the impact speed on a rigid stop."""
     if quantiles(file.data)[KEPT[risk]].startswith("speed"):
         return Quantity("impact_speed", f"impact speed with a probability of {risk:g}", 1.0, "m/s")
-    return Quantity("peak_force", f"peak force with a probability of {risk:g}", file.newtons or 1.0, "N" if file.newtons else "F/(m g)")
+    return force_quantity(file, f"peak force with a probability of {risk:g}")
 
 
 def admitted_at(file: PeterkaFile, risk: float, regimes: Sequence[str] | None) -> Admitted:

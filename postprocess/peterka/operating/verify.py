@@ -13,14 +13,13 @@ import numpy as np
 
 from ..files.whole_file import write_text
 from ..maps.map_file import Axis, PeterkaFile
-from ..plotting.coordinates import in_words
-from .admitted import Quantity, admitted, read_code
+from .admitted import Quantity, admitted, quantity_of, read_code
 from .drift import Reach
 from .places import Place
+from .words import on_axis
 
 FINER, FEWEST, MOST = 4, 17, 129  # points per step of the map, and along a side
 ROUNDING = 1e-6  # of a value: both grids contain the box' corners, but their coordinates differ in the last bits
-NARROW = 1e-6  # of a step: the width of a box along an axis without drift
 # The gaps at which borders are told may lie outside the box.
 OF_THE_WHOLE_MAP = re.compile(r"^\[curves\]\n.*?(?=^\[|\Z)", re.MULTILINE | re.DOTALL)
 BINARY = Path(__file__).resolve().parents[3] / "build" / "peterka"
@@ -33,7 +32,7 @@ class NotVerified(Exception):
 @dataclass(frozen=True)
 class Verified:
     """`cells` of the finer box; the number of them with `another` regime or none from the admitted starts; the smallest
-    value of the others and its place (row, column) [as stored, axes' numbers]; NaN if none has a value."""
+    value of the others and its place (row, column) [in the unit of the Quantity, numbers of the map's axes]; NaN if none has a value."""
 
     cells: int
     another: int
@@ -55,15 +54,15 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
         sizes[paths[name]] = finer(axis, along.width, at)
     box = compute(file, sizes, {"uncertainty.rigs": 0} if file.outcome_slots else {}, folder / f"{file.path.stem}_box", ranks, binary)
     with PeterkaFile(box) as within:
-        found = admitted(within, starts, quantity.name)
+        found = quantity_of(within, quantity.name).of(admitted(within, starts, quantity.name))
         same = np.array([[read_code(code) == place.orbit for code in row] for row in found.code])
         values = np.where(same, found.value, np.nan)
         another = int(np.sum(~np.isfinite(values)))
         if another == values.size:
             return Verified(values.size, another, np.nan, (np.nan, np.nan))
-        row, column = np.unravel_index(np.nanargmin(values), values.shape)
-        return Verified(values.size, another, float(values[row, column]),
-                        (float(within.rows.values[row]), float(within.columns.values[column])))
+        row, column = (int(n) for n in np.unravel_index(np.nanargmin(values), values.shape))
+        return Verified(values.size, another, float(values[row, column]), (_in_numbers_of(file.rows, within.rows, row), _in_numbers_of(
+            file.columns, within.columns, column)))
 
 
 def compute(file: PeterkaFile, sizes: Mapping[str, tuple[float, float, int]], changes: Mapping[str, object], output: Path,
@@ -92,16 +91,18 @@ def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
 
 def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity) -> str:
     """The result for the finer box, in words."""
-    worst, unit = quantity.factor * found.worst, quantity.unit
+    worst, unit = found.worst, quantity.unit
+    alone = "the place, computed again," if found.cells == 1 else ""
     if found.another:
-        return (f"it doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
-                "than one")
-    share = 100 * (found.worst / place.worst - 1)
+        have = f"{alone} has" if alone else f"{found.another} of {found.cells} cells of the finer box have"
+        return f"it doesn't hold: {have} another regime, or more than one"
+    share = round(100 * (found.worst / place.worst - 1), 4) + 0.0  # no -0
     if found.holds(place):
-        return f"it holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
-    return (f"it falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
-            f"has {worst:.4g} {unit}, at {in_words(file, file.columns, found.at[1], 6)}, "
-            f"{in_words(file, file.rows, found.at[0], 6)}")
+        where = "" if alone else f" in all {found.cells} cells of the finer box"
+        return f"it holds{where}: {alone or 'the worst'} has {worst:.4g} {unit} ({share:+.2g} %)"
+    return (f"it falls short by {-share:.3g} %: {alone or f'of {found.cells} cells of the finer box, all of the same regime, the worst'} "
+            f"has {worst:.4g} {unit}, at {on_axis(file, file.columns, found.at[1], 6)}, "
+            f"{on_axis(file, file.rows, found.at[0], 6)}")
 
 
 def _tables(table: Mapping[str, Any], path: str) -> Iterator[str]:
@@ -119,11 +120,14 @@ def _coordinate(path: str) -> str:
 
 
 def finer(axis: Axis, width: float, at: int) -> tuple[float, float, int]:
-    """(from, to, points) of the box of this half-width around a place, in the numbers of the job."""
-    step = float(np.diff(axis.values).min())
-    points = int(np.clip(2 * round(FINER * width / step) + 1, FEWEST, MOST)) if width else 2
-    width = max(width, NARROW * step)
+    """(from, to, points) of the box of this half-width around a place, in the numbers of the job; a single point where that is 0."""
+    points = int(np.clip(2 * round(FINER * width / float(np.diff(axis.values).min())) + 1, FEWEST, MOST)) if width else 1
     return (axis.values[at] - width) * axis.unit, (axis.values[at] + width) * axis.unit, points
+
+
+def _in_numbers_of(axis: Axis, finer_axis: Axis, at: int) -> float:
+    """A value of a finer axis as that of the map shows it: a scale that the map's cells don't share may be common to the box's."""
+    return float(finer_axis.values[at] * finer_axis.unit / axis.unit)
 
 
 def _run(job: Path, box: Path, sizes: Mapping[str, tuple[float, float, int]], more: Mapping[str, object], file: PeterkaFile, ranks: int,
