@@ -88,7 +88,7 @@ PICTURES = [
     Row("proved_attractors", ("map",), proved_map.draw_attractors, lambda file: file.has_slot_proofs),
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
-    Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),
+    Row("curves_over_map", ("curves",), curves_map.draw_over_map),
     Row("curves_over_map", ("map",), curves_map.draw_over_map_of, takes=(CURVES,)),
     *(Row(name, ("curves",), partial(edge_distance_map.draw, side=side), partial(edge_distance_map.has, side=side))
       for name, side in edge_distance_map.PICTURES.items()),

@@ -75,7 +75,7 @@ def test_the_picture_tells_each_kind_of_difference(pair, tmp_path):
                        (3, 1): kinds.COLOURS[kinds.SAME]}
     redness = [to_rgb(colour)[0] - to_rgb(colour)[2] for colour in forces]  # the same, 5 % more, twice as much
     assert abs(redness[0]) < 0.02 and redness[0] < redness[1] < redness[2]
-    assert drawn.legend_texts() == ["same label, no force compared (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
+    assert drawn.legend_texts() == ["same label, no number compared (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
                                     "not in both files (6.2 %)"]
 
 
@@ -190,6 +190,21 @@ def test_the_program_tells_and_draws(pair, tmp_path, run_compare):
     assert "same regime and z           13    86.667 %" in told and "2/2 -> 1/1" in told
     assert "largest             2 (+100 %), at frequency_ratio 2 (9 Hz), gap_ratio 0 (0 mm)" in told
     assert matplotlib.image.imread(tmp_path / "pictures" / "a_against_b.png").shape[1] == 1110
+
+
+def test_of_rigid_stops_impact_speeds_are_compared_if_both_files_hold_them(tmp_path, run_compare):
+    forces, speeds = [np.where(np.array(FORCES) > 0, np.nan, 0.0), 0.1 * np.array(FORCES)]
+    job = '[contact]\nlaw = "restitution"\ncoefficient = 0.5\n'
+    for name, scale in (("a", 1.0), ("b", 0.5)):
+        write_map(tmp_path / f"{name}.h5", PLAIN, forces=forces, fields={"impact_speed": scale * speeds}, job=job)
+    write_map(tmp_path / "c.h5", PLAIN, forces=forces, job=job)
+    _, told, _ = run_compare("a.h5", "b.h5")
+    assert "Impact speed in 8 cells of the same regime and z, B's over A's" in told
+    assert "median speed        1 m/s in A, 500 mm/s in B" in told and "0.5 (-50 %)" in told
+    assert "No impact speed to compare: both files need it in output.fields." in run_compare("a.h5", "c.h5")[1]
+    with PeterkaFile(tmp_path / "a.h5") as a, PeterkaFile(tmp_path / "b.h5") as b:
+        drawn = Drawn(comparison_map.draw(a, b, comparison.compare(a, b)), tmp_path / "picture.png")
+    assert any("impact speed of B over A" in ax.get_xlabel() for ax in drawn.figure.axes)
 
 
 def test_files_without_a_common_force_or_cell(tmp_path, run_compare):

@@ -11,7 +11,7 @@ from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
 from peterka.plotting.figures import figure_of
-from picture_samples import Drawn, colour_named, orbit, write_map
+from picture_samples import NO_IMPACT, UNRESOLVED, Drawn, colour_named, orbit, write_map
 from picture_texts import drawn_texts, faults_of_layout
 from sealing import SealedFile
 
@@ -28,12 +28,28 @@ def shade(share):
 def test_numbers_have_shades_that_darken(tmp_path):
     with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
         colours, drawn = seen(file, attractor_maps.draw_number(file), tmp_path)
-    one, two, three = attractor_maps.NUMBER_COLOURS[1:4]
+    one, two, three = attractor_maps.NUMBER_COLOURS[2:5]
     assert colours[0] == [one, two, two]
     assert colours[1][:2] == [three, one]
     assert drawn.legend_texts() == ["not computed yet (16.7 %)", "1 (33.3 %)", "2 (33.3 %)", "3 (16.7 %)"]
     heads = [ax.get_legend().get_title().get_text() for ax in drawn.figure.axes if ax.get_legend()]
     assert heads == ["known attractors of a cell (share of the map)"]  # the summary counts those on which starts end
+
+
+UNSETTLED = [[[(UNRESOLVED, 1.0)], [(orbit(1, 2), 0.5), (UNRESOLVED, 0.5)], [(orbit(1, 2), 0.75), (UNRESOLVED, 0.25)]],
+             [[(NO_IMPACT, 0.875), (UNRESOLVED, 0.125)], [(orbit(1, 1), 1.0)], []]]
+
+
+def test_starts_without_a_result_are_no_attractor_and_no_motion_without_impacts(tmp_path):
+    with PeterkaFile(write_attractors(tmp_path / "a.h5", cells=UNSETTLED, kicks=False)) as file:
+        colours, drawn = seen(file, attractor_maps.draw_number(file), tmp_path)
+        assert colours[0] == [colour_named("unresolved"), *attractor_maps.NUMBER_COLOURS[2:3] * 2]
+        assert drawn.legend_texts() == ["not computed yet (16.7 %)", "none (16.7 %)", "1 (66.7 %)"]
+        colours, drawn = seen(file, attractor_maps.draw_impacting(file), tmp_path)
+        assert colours[0] == [*[attractor_maps.LACKING_COLOUR] * 2, shade(0.75)] and colours[1][:2] == [shade(0.0), shade(1.0)]
+        assert "half or more unresolved" in drawn.legend_texts()
+        title = " ".join(drawn.figure._suptitle.get_text().split())
+        assert title.endswith("unresolved starts count as ones without impacts: up to 25.0 % in a cell")
 
 
 def test_the_likeliest_attractor_has_the_colour_of_its_class(tmp_path):

@@ -289,3 +289,10 @@ def test_no_name_lies_over_another_curve(tmp_path):
             for name, box in boxes.items():
                 assert box.count_contains(ways[name]) > 0
                 assert all(box.count_contains(way) == 0 for other, way in ways.items() if other != name), name
+
+
+def test_a_file_without_a_curve_shows_the_coarse_map_and_says_so(tmp_path, draw):
+    path = write_curves(tmp_path / "c.h5", lines=[], specials=[])
+    assert draw(path, "--formats", "png").pictures == ["c_curves_over_map.png"]
+    figure = drawn(path, curves_map.draw_over_map, tmp_path)
+    assert figure._suptitle.get_text().endswith("where regimes end: no curve was found")

@@ -3,7 +3,7 @@
 import pytest
 from peterka.maps import basin_map, last_impact
 from peterka.maps.map_file import PeterkaFile
-from picture_samples import CHAOTIC, FAILED, MISSING, NO_IMPACT, UNRESOLVED, Drawn, orbit, write_basin, write_map
+from picture_samples import CHAOTIC, FAILED, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin, write_map
 
 CELLS = [[NO_IMPACT, NO_IMPACT, NO_IMPACT, NO_IMPACT], [NO_IMPACT, orbit(1, 1), CHAOTIC, UNRESOLVED],
          [FAILED, MISSING, NO_IMPACT, NO_IMPACT]]
@@ -17,11 +17,18 @@ def test_each_class_of_last_impacts_has_its_colour_and_share(tmp_path):
         assert drawn.colour_of(file, 2, 3) == last_impact.SHADES[-1]
     shades = last_impact.SHADES
     assert seen[0] == [shades[0], shades[1], shades[1], shades[2]]
-    assert seen[1] == [shades[3], *last_impact.COLOURS[-3:-2] * 2, last_impact.COLOURS[-2]]
+    assert seen[1] == [shades[3], *last_impact.COLOURS[-4:-3] * 2, last_impact.COLOURS[-2]]
     assert drawn.legend_texts() == [
         "none at all (8.3 %)", "1 to 30 (16.7 %)", "31 to 100 (8.3 %)", "101 to 300 (8.3 %)",
         "301 to 1000 (8.3 %)", "more than 10000 (8.3 %)", "impacts go on (16.7 %)", "undecided (16.7 %)",
         "not computed yet (8.3 %)"]
+
+
+def test_a_stop_that_is_pressed_for_ever_has_no_impacts_that_go_on(tmp_path):
+    with PeterkaFile(write_map(tmp_path / "a.h5", [[SUSTAINED, SUSTAINED], [orbit(1, 1), NO_IMPACT]], fields={"last_impact": [[-1, 7], [-1, 0]]})) as file:
+        drawn = Drawn(last_impact.draw(file), tmp_path / "a.png")
+        assert drawn.colour_of(file, 0, 0) == colour_named("sustained contact")
+    assert drawn.legend_texts() == ["none at all (25.0 %)", "1 to 30 (25.0 %)", "impacts go on (25.0 %)", "sustained contact (25.0 %)"]
 
 
 def test_a_short_run_sees_impacts_that_end_later(tmp_path):

@@ -1,8 +1,8 @@
-"""Compares two map files, or two basins, cell by cell: where regime, z = p/q or peak force differ.
+"""Compares two map files, or two basins, cell by cell: where regime, z = p/q and peak force differ (of rigid stops, impact speed).
 
     compare.py A.h5 B.h5 [--units both|si|ratio] [--palette colour|grey] [--width MM] [--output-dir DIR] [--formats png,pdf]
 
-Prints the keys of the jobs that differ, counts, the labels that differ, and B's peak force over A's; draws A_against_B.
+Prints the keys of the jobs that differ, counts, the labels that differ, and B's peak force or impact speed over A's; draws A_against_B.
 Rig, start and solver may differ. Where the grids differ, the points of the coarser one that the other has are compared.
 Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or they have no two common points along an axis;
 3 a picture cannot be written.

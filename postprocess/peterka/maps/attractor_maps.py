@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals, ma
-from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
+from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, UNRESOLVED
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX, classify
 from ..plotting.picture import picture
@@ -24,8 +24,8 @@ from .map_file import KICKS, PeterkaFile
 from .reduce import LIMIT, Reduced, block_size, class_picture, orbit_picture, with_edges
 
 WIDTH = 3.7  # in
-NUMBERS = ["not computed yet", "1", "2", "3", "4", "5 or more"]
-NUMBER_COLOURS = ["#FFFFFF", "#F2F2F2", "#9ECAE1", "#4292C6", "#08519C", "#041E42"]
+NUMBERS = ["not computed yet", "none", "1", "2", "3", "4", "5 or more"]
+NUMBER_COLOURS = ["#FFFFFF", CLASSES[INDEX["unresolved"]].colour, "#F2F2F2", "#9ECAE1", "#4292C6", "#08519C", "#041E42"]
 MOST_CLASSES = 6  # of z, each with its own picture
 LEAST_SHARE = 0.005  # of the plane; rarer ones get no picture
 LABELS = ["regime", "attractor_regime", "attractor_impacts", "attractor_period", "basin_share"]
@@ -36,6 +36,8 @@ SHARES = {f"share_{'_'.join(map(str, entry.orbit)) if entry.orbit else entry.lab
 _COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # requested once for each of SHARES
 END_WORDS = {"no impact": "without impacts", "chaotic": "in chaos"}
 LACKING_COLOUR = "#F7C6D0"
+UNDECIDED = (UNRESOLVED, FAILED)
+MOST_UNDECIDED = 0.5  # share of starts or rigs without a result from which on a cell has no share of impacts
 NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # outcome of a kick in a cell
 KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
 KIND_HATCHES = ["++", "", "", "\\\\", ""]  # in the grey palette
@@ -45,7 +47,7 @@ KIND_HATCHES = ["++", "", "", "\\\\", ""]  # in the grey palette
 def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The number of known attractors of a cell: those reached by its starts, and others."""
     def label(regime: Integers, attractors: Integers, slots: Integers) -> Integers:
-        return np.where(regime == NOT_COMPUTED, 0, np.clip(_known(attractors, slots), 1, len(NUMBERS) - 1))
+        return np.where(regime == NOT_COMPUTED, 0, 1 + np.minimum(_known(attractors, slots), len(NUMBERS) - 2))
 
     reduced, counts = class_picture(file, ["regime", "attractors", "attractor_regime"], label, len(NUMBERS))
     handles = [axes.legend_patch(f"{NUMBERS[n]} ({axes.percent(counts[n] / counts.sum())})", NUMBER_COLOURS[n], n == 0)
@@ -109,8 +111,10 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
 
 
 def _known(attractors: Integers, slots: Integers) -> Integers:
-    """The number of known attractors of each cell; slots (slot, row, column) hold the regimes of the stored ones."""
-    return np.maximum(attractors, (slots != NOT_COMPUTED).sum(axis=0))
+    """The number of known attractors of each cell; slots (slot, row, column) hold the regimes of the stored ones, starts without a
+    result among them, which are none."""
+    number: Integers = np.maximum(attractors, (slots != NOT_COMPUTED).sum(axis=0)) - np.isin(slots, UNDECIDED).sum(axis=0)
+    return number
 
 
 def _of_kicked(values: Reals, tried: Reals) -> Reals:
@@ -136,10 +140,26 @@ def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The share of starts that end with impacts."""
     def share(regime: Integers, of: Integers, shares: Reals) -> Reals:
         impacting = np.where(np.isin(of, [PERIODIC, CHAOTIC]), shares, 0).sum(axis=0)
-        return np.where(regime == NOT_COMPUTED, np.nan, impacting)
+        return np.where((regime == NOT_COMPUTED) | (undecided_share(of, shares) >= MOST_UNDECIDED), np.nan, impacting)
 
     reduced = reduced_values(file, ["regime", "attractor_regime", "basin_share"], share, None)
-    return _draw_scale(file, ax, reduced, "share of starts that end with impacts", 1, None)
+    told = undecided_in_words(file, "attractor_regime", "basin_share", "starts")
+    left_out = any(np.any(undecided_share(band["attractor_regime"], band["basin_share"]) >= MOST_UNDECIDED)
+                   for _, band in file.bands(["regime", "attractor_regime", "basin_share"]))
+    return _draw_scale(file, ax, reduced, "share of starts that end with impacts", 1, "half or more unresolved" if left_out else None, told)
+
+
+def undecided_share(of: Integers, shares: Reals) -> Reals:
+    """The share of starts or rigs without a result, from (slots, rows, columns)."""
+    values: Reals = np.where(np.isin(of, UNDECIDED), np.nan_to_num(shares), 0.0).sum(axis=0)
+    return values
+
+
+def undecided_in_words(file: PeterkaFile, of: str, shares: str, whose: str) -> list[str]:
+    """What a picture of impacts says of starts or rigs without a result, where they are fewer than half, and taken for such without impacts."""
+    undecided = [undecided_share(band[of], band[shares]) for _, band in file.bands(["regime", of, shares])]
+    most = max(float(np.max(some, where=some < MOST_UNDECIDED, initial=0)) for some in undecided)
+    return [f"unresolved {whose} count as ones without impacts: up to {axes.percent(most)} in a cell"] if most > 0 else []
 
 
 @picture(PeterkaFile)
@@ -173,28 +193,30 @@ def _find_commonest(file: PeterkaFile) -> list[str]:
     return [name for name in names[:MOST_CLASSES] if total[INDEX[SHARES[name].label]] > LEAST_SHARE * max(cells, 1)]
 
 
-def _draw_scale(file: PeterkaFile, ax: Axes | None, reduced: Reduced, label: str, top: float, lacking: str | None) -> Axes:
+def _draw_scale(file: PeterkaFile, ax: Axes | None, reduced: Reduced, label: str, top: float, lacking: str | None,
+                told: Sequence[str] = ()) -> Axes:
     computed, counts = class_picture(file, ["regime"], lambda regime: np.isin(regime, NOT_COMPUTED), 2)
     handles = [axes.legend_patch(lacking, LACKING_COLOUR)] if lacking and counts[0] else []
     handles += [axes.legend_patch("not computed yet", None, hatched=True)] if counts[1] else []
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, computed, [LACKING_COLOUR, "#FFFFFF"], 1)
-    return _with_scale(figure, ax, bar_ax, file, reduced, label, top)
+    return _with_scale(figure, ax, bar_ax, file, reduced, label, top, told)
 
 
-def _with_scale(figure: Figure, ax: Axes, bar_ax: Axes, file: PeterkaFile, reduced: Reduced, label: str, top: float) -> Axes:
+def _with_scale(figure: Figure, ax: Axes, bar_ax: Axes, file: PeterkaFile, reduced: Reduced, label: str, top: float,
+                told: Sequence[str] = ()) -> Axes:
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=top, rasterized=True)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="neither" if top == 1 else "max")
     bar.outline.set_linewidth(0.6)
     bar.set_label(label, fontsize=8)
-    return _finished(figure, ax, file)
+    return _finished(figure, ax, file, told)
 
 
-def _finished(figure: Figure, ax: Axes, file: PeterkaFile) -> Axes:
+def _finished(figure: Figure, ax: Axes, file: PeterkaFile, told: Sequence[str] = ()) -> Axes:
     axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, ax=ax)
+    axes.write_title(figure, file, "\n".join(filter(None, [axes.operating_point(file), *told])), ax)
     return ax
 
 

@@ -1,4 +1,5 @@
-"""Cell-by-cell comparison of two files over planes with common points: differences in regime, z = p/q and peak force.
+"""Cell-by-cell comparison of two files over planes with common points: differences in regime, z = p/q and peak force or, where both
+stops are rigid and have none, the largest impact speed, if both files hold it.
 
 Forces are compared as B's over A's if both files have the same label and a lasting force: z = p/q, or sustained contact; forces [N] where
 both files tell the hammer's mass, otherwise each over its own hammer's weight.
@@ -7,7 +8,7 @@ Peaks in chaos grow with the observation time and are not compared. Memory: 16 b
 
 import tomllib
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,10 +27,13 @@ from .map_file import PeterkaFile
 
 SHARES = (1, 50, 99)  # % of the cells; reported quantiles of the ratio
 MOST_KEYS = 6  # differing keys listed
-NAMES = ("regime", "impacts", "period", "peak_force_ratio")
+LABELS = ("regime", "impacts", "period")
+FORCE, SPEED = "peak_force_ratio", "impact_speed"
+WORDS = {FORCE: "peak force", SPEED: "impact speed"}
 UNTOLD = ("title",)  # reported elsewhere
 OF_A_RUN = ("audit", "certificate", "limits", "output")  # tables that change no cell: untold in a picture
 LONGEST_JOB, LONGEST_VALUE = 100_000, 40
+Band = dict[str, NDArray[Any]]
 _ORBIT = 8  # label codes below this are regimes
 
 
@@ -37,9 +41,10 @@ _ORBIT = 8  # label codes below this are regimes
 class Comparison:
     """Comparison of files A and B at their common points. `moves`: number of cells for each (label in A, label in B) that
     differ. `force_ratio` (n,): forces of B over those of A; `force` (n,): those of A over the weight of its hammer; `place` (n, 2): (row,
-    column) of each in the common plane."""
+    column) of each in the common plane. `quantity`: FORCE or, of two rigid stops, SPEED, with impact speeds [m/s] for all these forces."""
 
     plane: CommonPlane
+    quantity: str
     cells: int
     same_regime: int
     same_label: int
@@ -60,11 +65,11 @@ class Comparison:
 
 def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
     """The Comparison of two open files. Raises PeterkaFileError if they do not cover the same plane."""
-    plane = CommonPlane(first, second)
+    plane, quantity = CommonPlane(first, second), compared_quantity(first, second)
     cells = same_regime = same_label = 0
     moves: Counter[tuple[str, str]] = Counter()
     ratios, forces, places = [], [], []
-    for row, a, b in plane.bands(NAMES):
+    for row, a, b in bands(plane, quantity):
         both = there(a) & there(b)
         codes = label_codes(**a), label_codes(**b)
         same = both & (codes[0] == codes[1])
@@ -73,10 +78,27 @@ def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
         same_label += int(same.sum())
         moves += _moves(*(code[both & ~same] for code in codes))
         forced = same & has_lasting_force(a, b)
-        ratios.append(force_ratio(a, b, plane.weights)[forced])
-        forces.append(a["peak_force_ratio"][forced])
+        ratios.append(force_ratio(a, b)[forced])
+        forces.append(a["blow"][forced])
         places.append(np.argwhere(forced).astype(np.int32) + np.array([row, 0], dtype=np.int32))
-    return Comparison(plane, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(forces), np.concatenate(places))
+    return Comparison(plane, quantity, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(forces), np.concatenate(places))
+
+
+def compared_quantity(first: PeterkaFile, second: PeterkaFile) -> str:
+    """What of two files is compared beside their labels: FORCE, or SPEED where both stops are rigid, whose forces have no bound."""
+    speeds = all(SPEED in file.quantities for file in (first, second))
+    return SPEED if speeds and _strike_rigid_stops(first, second) else FORCE
+
+
+def _strike_rigid_stops(*files: PeterkaFile) -> bool:
+    return all((_keys(file.data.attribute("job")) or {}).get("contact.law") == "restitution" for file in files)
+
+
+def bands(plane: CommonPlane, quantity: str, block: int = 1) -> Iterator[tuple[int, Band, Band]]:
+    """(first row, A's, B's) of CommonPlane.bands, with the numbers to compare as "blow": A's, and B's in the same unit."""
+    for row, a, b in plane.bands((*LABELS, quantity), block):
+        weights = plane.weights if quantity == FORCE else 1.0
+        yield row, {**a, "blow": a[quantity]}, {**b, "blow": b[quantity] * weights}
 
 
 def there(band: Mapping[str, NDArray[Any]]) -> Mask:
@@ -94,14 +116,14 @@ def label_codes(regime: Integers, impacts: Integers, period: Integers, **_: obje
 def has_lasting_force(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> Mask:
     """Mask of the cells of two bands with equal labels that have comparable forces, (rows, columns)."""
     lasts = (a["regime"] == PERIODIC) | (a["regime"] == SUSTAINED_CONTACT)
-    mask: Mask = lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
+    mask: Mask = lasts & (a["blow"] > 0) & (b["blow"] > 0)
     return mask
 
 
-def force_ratio(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]], weights: float) -> Reals:
-    """B's peak force over A's in each cell of two bands; `weights`: of B's hammer over A's."""
+def force_ratio(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> Reals:
+    """B's blow over A's in each cell of two bands."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        values: Reals = b["peak_force_ratio"] / a["peak_force_ratio"] * weights
+        values: Reals = b["blow"] / a["blow"]
     return values
 
 
@@ -133,14 +155,18 @@ def text(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> str
 def _force_lines(comparison: Comparison) -> list[str]:
     ratio = comparison.force_ratio
     if not len(ratio):
-        return ["No peak force to compare."]
+        rigid = _strike_rigid_stops(comparison.plane.first, comparison.plane.second)
+        return ["No impact speed to compare: both files need it in output.fields." if rigid else "No peak force to compare."]
     quantiles = ", ".join(f"{value:.6g} ({share} %)" for share, value in
                           zip(SHARES, np.percentile(ratio, SHARES)))
     plane = comparison.plane
-    of = "B's over A's" if plane.tells_forces else "B's over A's, each over its own hammer's weight"
-    lines = [f"Peak force in {len(ratio):,} cells of the same regime and z, {of}", f"  ratio               {quantiles}",
-             f"  median force        {_two_forces(plane, *(float(np.median(force)) for force in (comparison.force, comparison.force * ratio)))}"]
-    if plane.weights != 1:
+    is_force = comparison.quantity == FORCE
+    of = "B's over A's" if plane.tells_forces or not is_force else "B's over A's, each over its own hammer's weight"
+    name = WORDS[comparison.quantity]
+    medians = (float(np.median(force)) for force in (comparison.force, comparison.force * ratio))
+    lines = [f"{name.capitalize()} in {len(ratio):,} cells of the same regime and z, {of}", f"  ratio               {quantiles}",
+             f"  {'median ' + name.split()[-1]:<20}{_two_blows(comparison, *medians)}"]
+    if plane.weights != 1 and is_force:
         lines.append(f"  weight              B's hammer weighs {plane.weights:.6g} times A's: over their weights these ratios are "
                      f"{1 / plane.weights:.6g} times as large")
     for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
@@ -148,8 +174,14 @@ def _force_lines(comparison: Comparison) -> list[str]:
         force = comparison.force[extreme]
         lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at "
                      f"{in_words(plane, plane.columns, plane.columns.values[column], 6)}, "
-                     f"{in_words(plane, plane.rows, plane.rows.values[row], 6)}: {_two_forces(plane, force, force * ratio[extreme])}")
+                     f"{in_words(plane, plane.rows, plane.rows.values[row], 6)}: {_two_blows(comparison, force, force * ratio[extreme])}")
     return lines
+
+
+def _two_blows(comparison: Comparison, a: float, b: float) -> str:
+    if comparison.quantity == FORCE:
+        return _two_forces(comparison.plane, a, b)
+    return f"{amount(a, 'm/s')} in A, {amount(b, 'm/s')} in B"
 
 
 def _two_forces(plane: CommonPlane, a: float, b: float) -> str:

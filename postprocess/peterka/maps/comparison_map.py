@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..arrays import Integers, Reals, ma
 from ..plotting import axes, signed, style, units
 from .common_plane import CommonPlane
-from .comparison import NAMES, Comparison, differing_keys, force_ratio, has_lasting_force, label_codes, there
+from .comparison import WORDS, Comparison, bands, differing_keys, force_ratio, has_lasting_force, label_codes, there
 from .field_map import without_value
 from .map_file import PeterkaFile
 from .reduce import LIMIT, Reduced, block_size, largest, with_edges
@@ -28,7 +28,7 @@ LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
 SAME, ORBIT, REGIME, MISSING = range(4)
 COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
 HATCHES = ["", "//", "xx", ""]  # in the grey palette
-NAMES_OF_KINDS = ["same label, no force compared", "same regime, other z", "other regime", "not in both files"]
+NAMES_OF_KINDS = ["same label, no number compared", "same regime, other z", "other regime", "not in both files"]
 
 
 @style.using()
@@ -37,8 +37,8 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
     plane = comparison.plane
     block = block_size(plane.shape, LIMIT)
     counts, kinds, ratios = np.zeros(len(COLOURS), dtype=np.int64), [], []
-    for _, a, b in plane.bands(NAMES, block):
-        kind, ratio = _kinds(a, b, plane.weights)
+    for _, a, b in bands(plane, comparison.quantity, block):
+        kind, ratio = _kinds(a, b)
         counts += np.bincount(kind[np.isnan(ratio)], minlength=len(COLOURS))
         ratios.append(_farthest(ratio, block))
         kinds.append(largest(kind.astype(float), block).astype(np.uint8))
@@ -53,7 +53,7 @@ def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Fig
     axes.show_classes(ax, reduced, looks, MISSING)
     if has_forces:
         image = ma.masked_where(reduced.image != SAME, ma.masked_invalid(np.concatenate(ratios)))
-        _draw_ratios(figure, ax, bar_ax, reduced, image, comparison.force_ratio)
+        _draw_ratios(figure, ax, bar_ax, reduced, image, comparison)
     axes.label_axes(ax, plane)
     axes.write_title(figure, first, "\n".join(_words(first, second, plane)))
     return figure
@@ -66,12 +66,13 @@ def _words(first: PeterkaFile, second: PeterkaFile, plane: CommonPlane) -> list[
             *filter(None, [plane.in_words])]
 
 
-def _draw_ratios(figure: Figure, ax: Axes, bar_ax: Axes, reduced: Reduced, image: Reals, ratio: Reals) -> None:
+def _draw_ratios(figure: Figure, ax: Axes, bar_ax: Axes, reduced: Reduced, image: Reals, comparison: Comparison) -> None:
+    ratio = comparison.force_ratio
     logarithm = np.abs(np.log(ratio))
     span = float(np.clip(np.exp(np.percentile(logarithm, MOST)), LEAST_SPAN, WIDEST_SPAN))
     mesh = signed.show(ax, reduced, ma.filled(image, np.nan), LogNorm(1 / span, span))
     bar = signed.draw_bar(figure, bar_ax, mesh, "both" if logarithm.max() > np.log(span) else "neither")
-    bar.set_label(f"peak force of B over A, same $z$ (median {units.number(float(np.median(ratio)))})", fontsize=8)
+    bar.set_label(f"{WORDS[comparison.quantity]} of B over A, same $z$ (median {units.number(float(np.median(ratio)))})", fontsize=8)
     bar_ax.xaxis.set_major_locator(FixedLocator(np.geomspace(1 / span, span, 5)))
     bar_ax.xaxis.set_minor_locator(NullLocator())
     bar_ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.3f}" if span < 1.1 else f"{value:.2f}"))
@@ -87,11 +88,11 @@ def _farthest(ratio: Reals, block: int) -> Reals:
     return values
 
 
-def _kinds(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]], weights: float) -> tuple[Integers, Reals]:
+def _kinds(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> tuple[Integers, Reals]:
     """A number for each cell, and B's force over A's; NaN where they are not comparable."""
     same = label_codes(**a) == label_codes(**b)
     both = there(a) & there(b)
     forced = both & same & has_lasting_force(a, b)
-    ratio = np.where(forced, force_ratio(a, b, weights), np.nan)
+    ratio = np.where(forced, force_ratio(a, b), np.nan)
     kinds = np.where(same, SAME, np.where(a["regime"] == b["regime"], ORBIT, REGIME))
     return np.where(both, kinds, MISSING), ratio

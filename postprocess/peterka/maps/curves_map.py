@@ -48,9 +48,9 @@ def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
 
 
 @picture(CurvesFile)
-def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
-    """The curves over the coarse map."""
-    return _draw(file, file.lines, ax, over="coarse ") if file.curves else None
+def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes:
+    """The curves, if any were found, over the coarse map."""
+    return _draw(file, file.lines, ax, over="coarse ")
 
 
 @picture(PeterkaFile)
@@ -79,7 +79,7 @@ def _draw(file: PeterkaFile, lines: Lines, ax: Axes | None, over: str | None = N
     axes.label_axes(ax, file)
     for curve in lines.curves:
         ax.plot(curve.columns, curve.rows, **_look(curve.kind, over_map))
-    axes.write_title(figure, file, "where regimes end", ax=ax)
+    axes.write_title(figure, file, "where regimes end" if lines.curves else "where regimes end: no curve was found", ax=ax)
     groups, ways = _draw_dots(ax, lines), [_pixels(ax, curve.columns, curve.rows) for curve in lines.curves]
     _write_names(ax, lines, ways, over_map)
     _write_letters(ax, groups, ways)
