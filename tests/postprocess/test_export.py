@@ -76,6 +76,13 @@ def test_csv_has_a_line_for_each_cell(sample, tmp_path, run_program):
             assert float(line["impact_speed_m_s"]) == 0.25 and int(line["last_impact"]) == number
 
 
+def test_bounds_of_a_speed_have_its_unit(tmp_path, run_program):
+    write_map(tmp_path / "a.h5", ALL_CLASSES, fields={f"impact_speed{end}": np.full((4, 6), 0.25) for end in ("", "_lower", "_upper")})
+    assert run_program("export", tmp_path / "a.h5")[0] == 0
+    header = (tmp_path / "a.csv").read_text().splitlines()[0].split(",")
+    assert {f"impact_speed{end}_m_s" for end in ("", "_lower", "_upper")} <= set(header)
+
+
 def test_vtk_and_matlab_hold_the_same(sample, tmp_path, run_program):
     assert run_program("export", sample, "--as", "vtk,mat", "--output-dir", "x") == (0, "x/a.vtk\nx/a.mat\n", "")
     grid, matlab = read_vtk(tmp_path / "x" / "a.vtk"), loadmat(tmp_path / "x" / "a.mat")

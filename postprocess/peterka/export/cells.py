@@ -22,8 +22,8 @@ from ..sweeps.sweep_file import SweepFile
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
 PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # as all of the layout's: nothing that a table or a program would take for more
-SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm", "critical_kick": "m_s",
-            "critical_kick_tried": "m_s", "critical_kick_lower": "m_s", "speed_q05": "m_s", "speed_q50": "m_s", "speed_q95": "m_s"}
+SUFFIXES = {"impact_speed": "m_s", "impact_speed_lower": "m_s", "impact_speed_upper": "m_s", "impulse": "n_s", "contact_time": "s",
+            "max_displacement": "mm", "critical_kick": "m_s", "critical_kick_tried": "m_s", "critical_kick_lower": "m_s", "speed_q05": "m_s", "speed_q50": "m_s", "speed_q95": "m_s"}
 ORBITS = {"orbit_displacement": ("displacement_ratio", "mm", 1e3), "orbit_velocity": ("velocity_ratio", "m_s", 1.0)}
 OF_THE_RUN = ("run", "summary", "tiles")  # groups that tell of the file, not of the cells
 MILLI = {"max_displacement": 1e3}
