@@ -72,8 +72,8 @@ Compared compare(const StoredCell& a, const StoredCell& b) {
     };
     if (is_open(a) || is_open(b)) return Compared::unknown;
     if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return Compared::alike;
-    const bool differ = motion_class(a) != motion_class(b) ||
-                        std::abs(blow(a) - blow(b)) > 0.01 * std::max(blow(a), blow(b));
+    const bool differ =
+        motion_class(a) != motion_class(b) || std::abs(blow(a) - blow(b)) > 0.01 * std::max(blow(a), blow(b));
     return differ ? Compared::different : Compared::alike;
 }
 

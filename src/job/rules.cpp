@@ -145,12 +145,14 @@ std::string rule_of_proved_attractors(const Job& job) {
     if (!job.certificate.attractors) return {};
     if (job.kind != Kind::map) {
         return fmt::format(
-            "certificate.attractors = true, and this is a {}; only attractors that the [starts] of a map find are "
+            "certificate.attractors = true, and this is a {}; only attractors that the [starts] of a map find "
+            "are "
             "certified; take a map of the same rig, or remove this key",
             name(job.kind));
     }
     if (job.starts.count == 0) {
-        return "certificate.attractors = true, and this map has no cells with many starts; attractors are found by "
+        return "certificate.attractors = true, and this map has no cells with many starts; attractors are "
+               "found by "
                "the [starts] of a map; set starts.count, or remove this key";
     }
     if (job.certificate.cells > 0) return {};

@@ -25,7 +25,8 @@ class JumpSearch {
   public:
     explicit JumpSearch(const std::vector<BranchPoint>& points) : points_(points) {
         double largest = 0;
-        for (const BranchPoint& point : points) largest = std::max(largest, std::isnan(blow(point.cell)) ? 0 : blow(point.cell));
+        for (const BranchPoint& point : points)
+            largest = std::max(largest, std::isnan(blow(point.cell)) ? 0 : blow(point.cell));
         least_change_ = largest / 20;
     }
 

@@ -34,11 +34,12 @@ struct BranchPoint {
 [[nodiscard]] std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                      const std::function<void()>& look);
 
-// Marks where the peak force or, on a rigid stop, which has none, the largest impact speed jumps from one point to
-// the next in the branch's direction: the change exceeds a twentieth of the branch's largest; it exceeds twice the change in the steps before and after
-// between motions with a period, as a steep slope is no jump; and, since forces scatter between windows in
-// chaos, a motion with a period begins or ends there that persists for four points or up to the end of the
-// branch, or one begins or ends where the change exceeds twice each of the four before and after it.
+// Marks where the peak force or, on a rigid stop, which has none, the largest impact speed jumps from one point
+// to the next in the branch's direction: the change exceeds a twentieth of the branch's largest; it exceeds
+// twice the change in the steps before and after between motions with a period, as a steep slope is no jump;
+// and, since forces scatter between windows in chaos, a motion with a period begins or ends there that persists
+// for four points or up to the end of the branch, or one begins or ends where the change exceeds twice each of
+// the four before and after it.
 void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
 
 }  // namespace peterka::regime

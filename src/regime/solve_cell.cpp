@@ -18,7 +18,8 @@ namespace peterka::regime {
 
 namespace {
 
-// Quantities not requested are not computed. Jumps of a sweep are told by impact speeds where there is no force.
+// Quantities not requested are not computed. Jumps of a sweep are told by impact speeds where there is no
+// force.
 Measures measures_of(const job::Job& job) {
     Measures measures;
     const auto impacts =

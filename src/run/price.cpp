@@ -278,7 +278,8 @@ std::string long_chaos_price(const job::Job& job) {
         for (const std::int64_t column : {std::int64_t{0}, scene.columns() - 1}) {
             const auto oscillator = scene.cell(row, column).oscillator;
             if (scene::is_conservative(oscillator)) {
-                return "#   chaos    nothing dissipates in some cells, so that nothing settles there: they stay unresolved, "
+                return "#   chaos    nothing dissipates in some cells, so that nothing settles there: they "
+                       "stay unresolved, "
                        "whatever steady_state.max_cycles is\n";
             }
             cycles = std::max(cycles, regime::cycles_for_chaos(oscillator, job.steady_state, impacts));

@@ -12,8 +12,8 @@ namespace peterka::trace {
 
 // Times `step` apart; touch is the one with the index `before`, where the force has jumped.
 struct WindowPlan {
-    std::size_t touch = 0;   // which one of the trace
-    double touch_time = 0;   // tau since the trace began
+    std::size_t touch = 0;  // which one of the trace
+    double touch_time = 0;  // tau since the trace began
     double step = 0;
     std::int64_t before = 0;  // samples before touch
     std::int64_t after = 0;   // from touch on

@@ -17,11 +17,11 @@ void Impacts::rest(std::int64_t impacts) {
     const std::int64_t of_trace = std::min(impacts, std::ssize(impacts_));
     if (of_trace == 0 || now() >= length_) return;
     const auto first = impacts_.end() - of_trace;
-    work_before_rest_ = std::accumulate(first, impacts_.end(), 0.0, [](double sum, const Impact& each) {
-        return sum + each.record.work;
-    });
+    work_before_rest_ = std::accumulate(first, impacts_.end(), 0.0,
+                                        [](double sum, const Impact& each) { return sum + each.record.work; });
     impacts_.erase(first + 1, impacts_.end());
-    impacts_.back() = {.touch = impacts_.back().touch, .time = impacts_.back().time, .speed = impacts_.back().speed};
+    impacts_.back() = {
+        .touch = impacts_.back().touch, .time = impacts_.back().time, .speed = impacts_.back().speed};
     lasts_ = true;
 }
 

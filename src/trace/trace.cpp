@@ -32,8 +32,8 @@ HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size
     const Course& course = trace.course;
     const Impact& impact = trace.impacts[index];
     ImpactWindow window(course.oscillator,
-                        plan_window(impact.touch, impact.time, width_of_window(scene, course, impact), share_before,
-                                    scene.job().trace.impact_samples, course.length));
+                        plan_window(impact.touch, impact.time, width_of_window(scene, course, impact),
+                                    share_before, scene.job().trace.impact_samples, course.length));
     follow(course, window);
     HardImpact seen{index, window.instants(), window.peak(), {}};
     const bool is_last = index + 1 == trace.impacts.size();
