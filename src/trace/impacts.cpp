@@ -14,7 +14,7 @@ void Impacts::touch(double speed) {
 }
 
 void Impacts::rest(std::int64_t impacts) {
-    const std::int64_t of_trace = std::min(impacts, std::ssize(impacts_));
+    const auto of_trace = std::min<std::int64_t>(impacts, std::ssize(impacts_));
     if (of_trace == 0 || now() >= length_) return;
     const auto first = impacts_.end() - of_trace;
     work_before_rest_ = std::accumulate(first, impacts_.end(), 0.0,

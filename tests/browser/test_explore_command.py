@@ -59,6 +59,13 @@ def test_bad_arguments_are_refused(map_file, arguments, words):
     assert run.returncode == 2 and words in run.stderr
 
 
+@pytest.mark.parametrize("columns, rows, words", [(8, 1, "1 row and 8 columns"), (1, 8, "8 rows and 1 column"), (1, 1, "1 row and 1 column")])
+def test_a_map_without_a_plane_is_refused_as_what_it_is(tmp_path, columns, rows, words):
+    file = pages.compute(tmp_path, JOBS / "peterka_170mm.toml", f"axes.frequency_ratio.points={columns}", f"axes.gap_ratio.points={rows}", "audit.cells=0")
+    run = pages.explore(file, "--output", tmp_path / "page.html")
+    assert run.returncode == 2 and f"has {words}; a page shows planes" in run.stderr and "--every" not in run.stderr
+
+
 def test_a_page_that_cannot_be_written(map_file, tmp_path):
     run = pages.explore(map_file, "--output", tmp_path / "nowhere" / "page.html")
     assert run.returncode == 3 and "cannot write" in run.stderr

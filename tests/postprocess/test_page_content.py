@@ -140,3 +140,12 @@ def test_a_file_without_any_curve_is_a_coarse_map(tmp_path):
     path = write_curves(tmp_path / "curves.h5", lines=[], specials=[])
     content, numbers = content_of(path)
     assert content["curves"]["list"] == [] and len(numbers(content["curves"]["points"]["column"])) == 0
+
+
+def test_directions_are_told_without_mathematics(tmp_path):
+    path = with_velocities(write_sweep(tmp_path / "sweep.h5", job="[axes.contact.stiffness_n_per_m]\nfrom = 1.0\n"))
+    with SealedFile(path, "r+") as file:
+        file["contact_stiffness_n_per_m"] = 1e6 * file["frequency_ratio"][()]
+        del file["frequency_ratio"]
+    content, _ = content_of(path)
+    assert {track["words"] for track in content["tracks"]} == {"stop stiffness rising", "stop stiffness falling"}

@@ -18,7 +18,7 @@ from peterka.sweeps.sweep_file import SweepFile
 from picture_texts import faults_of_layout
 from peterka.plotting.seen import SEEN
 from picture_samples import write_basin, write_map
-from sealing import seal_file
+from sealing import SealedFile, seal_file
 from starts_samples import add_starts
 from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
@@ -455,3 +455,16 @@ def test_help_tells_the_columns_of_measured_points_with_an_example(draw, tmp_pat
     (tmp_path / "points.csv").write_text(f"{head}\n{line}\n")
     outcome = draw(write_map(tmp_path / "a.h5"), "--only", "force_all", "--measured", tmp_path / "points.csv", "--format", "png")
     assert outcome.code == 0 and "152.5" in outcome.stdout, outcome.stderr
+
+
+@pytest.mark.parametrize("is_rigid", [True, False])
+def test_a_stop_without_forces_says_that_none_is_compared(tmp_path, draw, is_rigid):
+    path = write_sweep(tmp_path / "a.h5")
+    if is_rigid:
+        with SealedFile(path, "r+") as file:
+            file["peak_force_ratio"][()] = np.where(file["impacts"][()] > 0, np.nan, 0.0)
+    (tmp_path / "points.csv").write_text("frequency_hz,gap_mm,force_n\n9.0,0,100\n")
+    outcome = draw(path, "--measured", tmp_path / "points.csv", "--formats", "png", "--only", "bifurcation")
+    assert outcome.code == 0, outcome.stderr
+    words = f"{path}: impacts have no peak force, as on a rigid stop: there is none to compare measured forces with"
+    assert (words in outcome.stdout) == is_rigid

@@ -115,6 +115,9 @@ def explorable(file: OpenedFile, every: int) -> PeterkaFile | SweepFile:
     if rows * columns > MOST_CELLS:
         step = next(n for n in range(2, 10**5) if -(-file.shape[0] // n) * -(-file.shape[1] // n) <= MOST_CELLS)
         raise file.refusal(f"has {rows * columns:,} cells, a page holds {MOST_CELLS:,}; --every {step} takes a part")
+    if min(file.shape) < 2:
+        of = " and ".join(f"{size:,} {name}{'s' * (size != 1)}" for size, name in zip(file.shape, ("row", "column")))
+        raise file.refusal(f"has {of}; a page shows planes of two or more of both, draw.py draws this one")
     if min(rows, columns) < 2:
         raise file.refusal(f"has too few rows or columns for --every {every}")
     return file

@@ -130,7 +130,7 @@ def _dots(reduced: Reduced) -> tuple[Reals, Reals]:
 
 
 def _edge_of_no_impact(file: PeterkaFile) -> list[Reals]:
-    """The line in axes coordinates, as arrays (n, 2); [] if there is none, or the file lacks the required numbers."""
+    """The line in axes coordinates, as arrays (n, 2); [] if there is none in the picture, or the file lacks the required numbers."""
     across, up = file.columns, file.rows
     if (across.name, up.name) == ("frequency_ratio", "gap_ratio"):
         damping_ratio = file.number("damping_ratio")
@@ -139,7 +139,8 @@ def _edge_of_no_impact(file: PeterkaFile) -> list[Reals]:
         ratio = _along(across, LINE_POINTS)
         edge = edge_of_no_impact(ratio, damping_ratio)
         # Far above the picture the line is irrelevant, and its peak of 1/(2 zeta) would disturb the scale.
-        return [np.column_stack([ratio, np.where(edge <= 2 * up.edges[-1], edge, np.nan)])]
+        line = np.column_stack([ratio, np.where(edge <= 2 * up.edges[-1], edge, np.nan)])
+        return [line] if edge.min() <= up.edges[-1] and edge.max() >= up.edges[0] else []
     x, y = _along(across, CONTOUR_POINTS), _along(up, CONTOUR_POINTS)
     try:
         room = swing_of(tables_of(file.data.attribute("job")), {across.name: x[None, :], up.name: y[:, None]}).room()

@@ -1,7 +1,7 @@
 """Draws a number of either sign for each orbit over the plane of a map, on a scale around 0: shared by elasticities and rates.
 
-The scale ends at a percentile of the sizes, for near folds these have no bound; arrows at its ends say so. A block of a reduced map shows
-what is farthest from 0.
+The scale ends at a percentile of the sizes, for near folds these have no bound; arrows at its ends say so, and words above it how many
+cells lie beyond. A block of a reduced map shows what is farthest from 0.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -43,8 +43,8 @@ class SignedField:
 def draw(file: PeterkaFile, field: SignedField, ax: Axes | None = None) -> Axes | None:
     """The picture as Axes; None if no cell has a value."""
     reduced = _farthest_from_0(file, field)
-    sizes = np.abs(reduced.image[np.isfinite(reduced.image)])
-    if not sizes.size:
+    values = reduced.image[np.isfinite(reduced.image)]
+    if not values.size:
         return None
     top = top_of(reduced.image)
     factor, unit = units.with_prefix(top, field.unit) if field.unit else (1.0, "")
@@ -59,9 +59,11 @@ def draw(file: PeterkaFile, field: SignedField, ax: Axes | None = None) -> Axes 
     farthest = max(abs(low), abs(high))  # 0 is in the middle whatever the limits
     mesh = signed.show(ax, reduced, reduced.image * factor, Normalize(-farthest * factor, farthest * factor))
     axes.label_axes(ax, file)
-    bar = signed.draw_bar(figure, bar_ax, mesh, "both" if sizes.max() > farthest else "neither")
+    outside = float(np.mean((values < low) | (values > high)))
+    bar = signed.draw_bar(figure, bar_ax, mesh, "both" if np.abs(values).max() > farthest else "neither")
     bar.ax.set_xlim(low * factor, high * factor)
     bar.set_label(label_of_bar(field.label, f"({field.per.format(unit=unit)})", " ", WIDTH), fontsize=8)
+    bar.ax.set_title(f"{axes.percent(outside)} of these cells beyond the scale" if outside > 0 else "", fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax)
     return ax

@@ -6,7 +6,7 @@ others are commoner, count as none of the motions asked for, but as impacts: mos
 outcome is the paler the less likely it is; in grey, where lightness tells classes apart, a line alone tells where it is likely.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -30,7 +30,7 @@ from ..plotting.limits import WEIGHTS
 from ..plotting.picture import picture
 from ..sampling import draws_needed
 from . import field_map
-from .attractor_maps import LEAST_SHARE, MOST_CLASSES, SHARES, reduced_values
+from .attractor_maps import LEAST_SHARE, MOST_CLASSES, SHARES, reduced_values, undecided_in_words
 from .field_map import Field, Scale, scale_colours
 from .map_file import PeterkaFile
 from .outcomes import OUTCOMES, Draws, draws_of, is_class, probability, quantiles, read_wanted
@@ -56,21 +56,23 @@ def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: 
     draws, reduced = draws_of(file), probabilities(file, read_wanted(probability))
     levels, untold = lines_that_draws_tell(draws)
     unkept = _has_others(file, probability)
+    undecided = undecided_in_words(file, LABELS[0], LABELS[3], "rigs") if probability == IMPACTS else []
     if not unkept and not np.nanmax(reduced.image, initial=0.0) > 0:
         return None
+    lines = _lines(reduced, levels)
     waiting = [axes.legend_patch("not computed yet", None, hatched=True)] if file.computed < 1 else []
-    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [([*_line_handles(levels), *waiting], 3, None)], bar=True, ax=ax)
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [([*_line_handles(lines), *waiting], 3, None)], bar=True, ax=ax)
     axes.hatch_background(ax)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=1, rasterized=True)
     axes.label_axes(ax, file)
-    _draw_lines(ax, reduced, levels)
+    _draw_lines(ax, reduced, lines)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
     of = {IMPACTS: "impacts", "chaotic": "chaos"}.get(probability) or ("$z = %s$" % probability if "/" in probability else probability)
     bar.set_label(f"probability of {of}", fontsize=8)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, _told(file, draws, [*untold, *unkept]), ax)
+    axes.write_title(figure, file, _told(file, draws, [*untold, *unkept, *undecided]), ax)
     return ax
 
 
@@ -92,7 +94,7 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     reduced, counts = orbit_picture(file, ["regime", *LABELS[:3]], lambda _, *slots: classify(*(slot[0] for slot in slots)))
     likely = reduced_values(file, ["regime", *LABELS], lambda regime, *slots: _computed(regime, slots[3][0]), None)
     told, untold = lines_that_draws_tell(draws)
-    levels = told[-1:] if style.is_grey() or max(LINES) in told else []
+    lines = _lines(likely, told[-1:] if style.is_grey() or max(LINES) in told else [])
     orbits: list[Artist] = []
     others: list[Artist] = []
     for n in np.flatnonzero(counts):
@@ -100,15 +102,15 @@ def draw_commonest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
                                   n == INDEX["not computed yet"])
         (orbits if CLASSES[n].orbit or n == INDEX["other p/q"] else others).append(entry)
     legends = [(orbits, 3, f"commonest outcome (share of the {file.whole})"), (others, 2, None),
-               (_level_handles(counts), 4, None if style.is_grey() else "its probability"), (_line_handles(levels, "ticks point to where it is likelier"), 1, None)]
+               (_level_handles(counts), 4, None if style.is_grey() else "its probability"), (_line_handles(lines, "ticks point to where it is likelier"), 1, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     shown, colours = _with_levels(reduced, likely)
     axes.show_classes(ax, shown, colours, INDEX["not computed yet"])
     axes.label_axes(ax, file)
-    _draw_lines(ax, likely, levels, has_ticks=True)
+    _draw_lines(ax, likely, lines, has_ticks=True)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, _told(file, draws, untold), ax)
-    axes.name_areas(ax, _beside_lines(reduced, likely, levels), {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
+    axes.name_areas(ax, _beside_lines(reduced, likely, list(lines)), {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
                                   if counts[n] and (entry.orbit or n == INDEX["no impact"])})
     return ax
 
@@ -278,27 +280,31 @@ def _level_handles(counts: Integers) -> list[Artist]:
     return [axes.legend_patch(text, paler(CLASSES[coloured[0]].colour, white)) for text, (_, white) in zip(words, LEVELS)]
 
 
-def _line_handles(levels: Sequence[float], more: str = "") -> list[Artist]:
-    return [Line2D([], [], label=", ".join(filter(None, [f"probability {level:g}", more])), **_look(level)) for level in levels]
+def _line_handles(lines: Iterable[float], more: str = "") -> list[Artist]:
+    return [Line2D([], [], label=", ".join(filter(None, [f"probability {level:g}", more])), **_look(level)) for level in lines]
 
 
 def _look(level: float) -> dict[str, Any]:
     return {"color": "black", "linewidth": 0.9, "linestyle": LINES[level]}
 
 
-def _draw_lines(ax: Axes, reduced: Reduced, levels: Sequence[float], has_ticks: bool = False) -> None:
-    """`has_ticks`: whether lines have short ticks towards the side of the larger probability."""
+def _lines(reduced: Reduced, levels: Sequence[float]) -> dict[float, list[Reals]]:
+    """The lines (points, 2) of those of these probabilities that have any, but for specks."""
     if min(reduced.image.shape) < 2:
-        return
+        return {}
     x, y = (np.sqrt(edges[1:] * edges[:-1]) if log else (edges[1:] + edges[:-1]) / 2
             for edges, log in ((reduced.column_edges, reduced.log[1]), (reduced.row_edges, reduced.log[0])))
-    limits = ax.get_xlim(), ax.get_ylim()
-    lines = contour_generator(x, y, ma.masked_invalid(reduced.image))
+    contours = contour_generator(x, y, ma.masked_invalid(reduced.image))
     cell = np.array([np.ptp(values) / (len(values) - 1) for values in (x, y)])
-    for level in levels:
-        for line in lines.lines(level):
-            if np.all(np.ptp(line, axis=0) < SPECK * cell):
-                continue
+    lines = {level: [line for line in contours.lines(level) if np.any(np.ptp(line, axis=0) >= SPECK * cell)] for level in levels}
+    return {level: found for level, found in lines.items() if found}
+
+
+def _draw_lines(ax: Axes, reduced: Reduced, lines: Mapping[float, Sequence[Reals]], has_ticks: bool = False) -> None:
+    """`has_ticks`: whether lines have short ticks towards the side of the larger probability."""
+    limits = ax.get_xlim(), ax.get_ylim()
+    for level, found in lines.items():
+        for line in found:
             ax.plot(*line.T, path_effects=axes.outline(1.8), zorder=3, **_look(level))
             if has_ticks:
                 _draw_ticks(ax, reduced, line)

@@ -83,9 +83,16 @@ class MapView extends PlaneView {
       this.top.line(2, () => gap, (i) => this.view.y[i], colour, width, STOP_LINE.dash);
     }
   }
+  // Whether the line of grazing comes into the map.
+  #meetsEdge() {
+    const { edges } = file.columns;
+    const heights = Array.from({ length: 500 }, (_, i) => edges[0] + (i / 499) * (edges.at(-1) - edges[0]))
+      .map((place) => file.rows.place(this.edge(file.columns.value(place))));
+    return Math.min(...heights) <= file.rows.edges.at(-1) && Math.max(...heights) >= file.rows.edges[0];
+  }
   // For a legend: the lines over the cells.
   get lines() {
-    const lines = [...(this.edge ? [EDGE_LINE] : []), ...(Number.isFinite(this.stop) ? [STOP_LINE] : [])];
+    const lines = [...(this.edge && this.#meetsEdge() ? [EDGE_LINE] : []), ...(Number.isFinite(this.stop) ? [STOP_LINE] : [])];
     return lines.map((line) => ({ ...line, colour: "currentColor" })); // visible in both themes
   }
   #frameCell({ row, column }) {

@@ -4,7 +4,6 @@ and the scripts that display them are embedded. Everything from the file is data
 import base64
 import html
 import json
-import re
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
@@ -126,8 +125,7 @@ def _coordinate(file: OpenedFile, name: str) -> dict[str, Any]:
 
 def _plain_words(name: str) -> tuple[str, str, str]:
     """(symbol, about, unit) of any other axis, from its label in pictures, without mathematics."""
-    words = label(name).replace("$x", "x$").replace(r"$\dot{x}", "ẋ$")
-    words = re.sub(r" ?\$[^$]*\$", "", words).strip() or name
+    words = tracks.plain_words(label(name)).strip() or name
     millimetres = name in IN_MILLIMETRES
     about, _, unit = words.partition(" (")
     return words, about, "mm" if millimetres else unit.rstrip(")")

@@ -28,7 +28,8 @@ function tickText(value, step) {
   if (value === 0 || Math.abs(value) < 1e-9 * step) return "0";
   const digits = step > 0 ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) : Math.max(0, -Math.floor(Math.log10(value)));
   const size = Math.abs(value);
-  if (size >= 1e6 || digits > 6) return signed(value.toExponential(step > 0 ? 1 : 0).replace("e", "·10^"));
+  const power = (of) => Math.floor(Math.log10(of) + 1e-9);
+  if (size >= 1e6 || digits > 6) return withPower(value, step > 0 ? Math.max(power(size) - power(step), 0) : 0);
   return signed(value.toFixed(digits));
 }
 
@@ -41,10 +42,15 @@ function digits(value, count = 4) {
   const size = Math.abs(value);
   if (!Number.isFinite(value)) return signed(String(value));
   if (size >= 1e6 || size < 1e-4) {
-    const [mantissa, power] = value.toExponential(Math.max(count - 2, 0)).split("e");
-    return signed(`${mantissa}·10${superscript(Number(power))}`);
+    return withPower(value, Math.max(count - 2, 0));
   }
   return signed(value.toPrecision(count).includes("e") ? String(Math.round(value)) : value.toPrecision(count));
+}
+
+// 2.5·10⁶, with this many digits behind the point.
+function withPower(value, decimals) {
+  const [mantissa, power] = value.toExponential(Math.min(decimals, 15)).split("e");
+  return signed(`${mantissa}·10${superscript(Number(power))}`);
 }
 
 const superscript = (number) => [...String(number)].map((letter) => (letter === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[letter])).join("");

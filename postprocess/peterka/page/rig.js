@@ -56,9 +56,14 @@ class Rig {
 
 function rigSliders() {
   const cell = content.cell;
-  const damping = {
+  const number = (name, label, unit, low, high) => ({
+    kind: "rig", name, label, unit, log: cell[name] > 0, from: cell[name] > 0 ? cell[name] / low : 0,
+    to: cell[name] > 0 ? cell[name] * high : 1e4, value: cell[name], change: (value) => ({ [name]: value }),
+  });
+  const hasRatio = content.damping_ratio !== null || cell.damping_ns_per_m === null; // one that is common to all cells
+  const damping = !hasRatio ? number("damping_ns_per_m", "spring damping", "Ns/m", 100, 100) : {
     kind: "rig", name: "damping_ratio", label: "damping ratio", unit: "", log: true, from: 1e-4, to: 0.5,
-    value: content.damping_ratio, change: (value) => ({ damping_ratio: value, damping_ns_per_m: null }),
+    value: content.damping_ratio ?? cell.damping_ratio, change: (value) => ({ damping_ratio: value, damping_ns_per_m: null }),
   };
   if (cell.contact_law === 1) {
     return [{
@@ -67,11 +72,7 @@ function rigSliders() {
     }, damping];
   }
   if (cell.contact_law === 2) return [];
-  const stop = (name, label, unit, low, high) => ({
-    kind: "rig", name, label, unit, log: cell[name] > 0, from: cell[name] > 0 ? cell[name] / low : 0,
-    to: cell[name] > 0 ? cell[name] * high : 1e4, value: cell[name], change: (value) => ({ [name]: value }),
-  });
-  return [stop("contact_first", "stop stiffness", "N/m", 1000, 100), stop("contact_second", "stop damping", "Ns/m", 100, 10), damping];
+  return [number("contact_first", "stop stiffness", "N/m", 1000, 100), number("contact_second", "stop damping", "Ns/m", 100, 10), damping];
 }
 
 // Slider of a map's axis, within its range.
@@ -80,7 +81,7 @@ function axisSlider(axis) {
   const from = axis.sets.startsWith("frequency") ? Math.max(first, 0.05 * (axis.sets === "frequency_ratio" ? 1 : last)) : first;
   return {
     kind: "place", name: axis.sets, label: axis.about.replace("excitation ", ""), log: axis.log, from, to: last,
-    unit: axis.factor ? axis.unit : axis.unit && !(axis.name in { frequency_ratio: 1, gap_ratio: 1 }) ? axis.unit : axis.symbol,
+    unit: !axis.factor && axis.unit && axis.name.endsWith("_ratio") ? axis.symbol : axis.unit, // that of a ratio is what it is over
     factor: axis.factor ?? 1, value: axis.log ? Math.sqrt(from * last) : (from + last) / 2, change: (value) => changeOf(axis, value),
   };
 }

@@ -4,6 +4,7 @@ slot of a gap is another, since its attractors may be on no branch.
 Every point with a motion also stores its state at forcing phase 0, from which the page's engine finds the same motion.
 """
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -43,7 +44,7 @@ def tracks_of(file: SweepFile) -> list[Track]:
 
 def described(file: SweepFile) -> dict[str, Any]:
     """For each track its gap, in `gaps`, and its direction in words, or its slot."""
-    directions = {branch.direction: direction_words(file, branch.direction) for branch in file.branches}
+    directions = {branch.direction: plain_words(direction_words(file, branch.direction)) for branch in file.branches}
     return {
         "gaps": file.gaps,
         "branches": len(file.branches),
@@ -51,6 +52,11 @@ def described(file: SweepFile) -> dict[str, Any]:
                     "direction": track.branch.direction, "words": directions[track.branch.direction]}
                    for track in tracks_of(file)],
     }
+
+
+def plain_words(words: str) -> str:
+    """Words of pictures without mathematics, of which x and its rate are kept."""
+    return re.sub(r" ?\$[^$]*\$", "", words.replace("$x", "x$").replace(r"$\dot{x}", "ẋ$"))
 
 
 def labels(file: SweepFile) -> tuple[dict[str, Any], bytes]:

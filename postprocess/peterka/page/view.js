@@ -10,10 +10,12 @@ function scalesOf({ symbol, about, unit, factor, leadsInSi: first }) {
   return first ? [si, ratios] : [ratios, si];
 }
 
+const SIDE = 62; // CSS pixels on a screen of standard size: room for ticks beside a plane, more where their labels are long
+
 class PlaneView {
   // axes: {x, y}, each with edges, place(value), value(place), narrowest, and words and factor of its scales.
   constructor(below, above, axes, tell) {
-    this.base = new Plot(below, { left: 62, right: 62, top: 42, bottom: 40 });
+    this.base = new Plot(below, { left: SIDE, right: SIDE, top: 42, bottom: 40 });
     this.top = new Plot(above, this.base.margins);
     this.axes = axes;
     this.tell = tell; // {hover(target or null), pick(target), moved()}
@@ -34,6 +36,9 @@ class PlaneView {
     });
   }
   drawNow() {
+    this.base.frame(this.view.x, this.view.y);
+    const [left, right = SIDE] = scalesOf(this.axes.y).map(({ factor }) => this.#roomBeside(factor));
+    Object.assign(this.base.margins, { left, right }); // of both canvases
     this.base.frame(this.view.x, this.view.y);
     this.drawContent();
     this.#drawAxes();
@@ -61,12 +66,22 @@ class PlaneView {
     pen.fillText(below.words, left + width / 2, top + height + 34 * letter);
     if (above) pen.fillText(above.words, left + width / 2, 13 * letter);
     this.base.sideways(before.words, 10 * letter, top + height / 2);
-    if (behind) this.base.sideways(behind.words, left + width + 53 * letter, top + height / 2);
+    if (behind) this.base.sideways(behind.words, left + width + (this.base.margins.right - 9) * letter, top + height / 2);
+  }
+  // For the labels of the ticks of a scale of the y axis, and its name.
+  #roomBeside(factor) {
+    const { pen, letter, area } = this.base;
+    const { values, step } = this.#ticksOf(this.axes.y, factor, area.height / (45 * letter));
+    const widest = Math.max(0, ...values.map((value) => pen.measureText(tickText(value, step)).width));
+    return Math.max(SIDE, widest / letter + 28);
+  }
+  #ticksOf(axis, factor, count) {
+    const [low, high] = (axis === this.axes.x ? this.view.x : this.view.y).map((at) => axis.value(at) * factor);
+    return axis.log ? logTicks(low, high, count) : ticksBetween(low, high, count);
   }
   #ticks(axis, factor, count, place) {
     const alongX = axis === this.axes.x;
-    const [low, high] = (alongX ? this.view.x : this.view.y).map((at) => axis.value(at) * factor);
-    const { values, step } = axis.log ? logTicks(low, high, count) : ticksBetween(low, high, count);
+    const { values, step } = this.#ticksOf(axis, factor, count);
     const pen = this.base.pen;
     for (const value of values) {
       const at = axis.place(value / factor);

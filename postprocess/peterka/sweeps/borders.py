@@ -15,7 +15,9 @@ from matplotlib.lines import Line2D
 
 from ..arrays import Mask
 from ..errors import PeterkaFileError
+from ..files.checked_hdf5 import is_number
 from ..files.coordinates import coordinate
+from ..files.job_numbers import tables_of
 from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import SAME_GAP, WORDS, CurvesFile, differing, rig_of
@@ -23,6 +25,7 @@ from ..maps.curves_map import COLOURS, LOOKS, name_of
 from ..plotting.coordinates import spoken
 from .sweep_file import Branch, SweepFile
 
+GAPS = ("gap_ratio", "gap_m")
 SAME_PLACE = 1e-10  # relative, of two frequencies: more than nine digits
 
 
@@ -40,7 +43,13 @@ class Border:
 NO_BORDERS: tuple[Border, ...] = ()
 
 
-def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
+class Borders(list[Border]):
+    """Borders of a sweep, and `lacking`: at which of its gaps the file has no curves, in words; empty where it has them at each."""
+
+    lacking = ""
+
+
+def read_borders(path: Path, sweep: OpenedFile) -> Borders:
     """The borders that the sweep's branches meet, by gap and frequency."""
     if not isinstance(sweep, SweepFile):
         raise PeterkaFileError(f"{sweep.path} is no sweep but a {sweep.kind}; borders are drawn over a sweep of frequencies")
@@ -49,17 +58,19 @@ def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
     with CurvesFile(path) as file:
         if rig_of(file) != rig_of(sweep):
             raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}{differing(file, sweep)}")
-        crossings = file.crossings
+        crossings, known = file.crossings, _gaps_of(file)
     borders = [Border(each.frequency_ratio, gap, each.curve.kind, each.curve.impacts, each.curve.period)
                for gap in sweep.gaps if gap is not None
                for each in crossings if abs(each.gap_ratio - gap) < SAME_GAP]
     if not borders:
-        gap_of = coordinate(sweep, "gap_m" if sweep.data.has("gap_m") else sweep.gap_name)
-        gaps = ", ".join(f"{gap * gap_of.unit:.10g}" for gap in sweep.gaps if gap is not None)
-        raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] {gap_of.stored} = [{gaps}]")
+        raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; {_to_compute(sweep)}")
     met = sorted((border for border in borders if _is_met(sweep, border)),
                  key=lambda border: (border.gap, border.frequency_ratio))
-    return [border for n, border in enumerate(met) if not any(_is_same(border, other) for other in met[:n])]
+    found = Borders(border for n, border in enumerate(met) if not any(_is_same(border, other) for other in met[:n]))
+    lacking = [gap for gap in sweep.gaps if known and gap is not None and all(abs(gap - one) >= SAME_GAP for one in known)]
+    if lacking:
+        found.lacking = f"{path} has no curves at {_in_words(sweep, lacking)}; {_to_compute(sweep)}"
+    return found
 
 
 def at_gap(borders: Sequence[Border], gap: float | None) -> list[Border]:
@@ -89,7 +100,28 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
     rows += [(f"{border.frequency_ratio * across:#.9g}", f"{border.gap * up:.6g}", name_of(border.impacts, border.period),
               WORDS[border.kind]) for border in borders]
     widths = [max(map(len, column)) for column in zip(*rows)]
-    return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+    lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+    return [*lines, borders.lacking] if isinstance(borders, Borders) and borders.lacking else lines
+
+
+def _gaps_of(file: CurvesFile) -> list[float]:
+    """Ratios of the gaps at which a file's job asks for borders; none where it doesn't tell."""
+    asked = tables_of(file.data.attribute("job")).get("curves")
+    found = [(coordinate(file, name), asked[name]) for name in GAPS if isinstance(asked, dict) and isinstance(asked.get(name), list)]
+    return [float(gap) / at.unit for at, gaps in found for gap in gaps if is_number(gap)]
+
+
+def _to_compute(sweep: SweepFile) -> str:
+    """What of a job of curves has them at all gaps of a sweep."""
+    gap_of = coordinate(sweep, "gap_m" if sweep.data.has("gap_m") else sweep.gap_name)
+    gaps = ", ".join(f"{gap * gap_of.unit:.10g}" for gap in sweep.gaps if gap is not None)
+    return f"compute it with [curves] {gap_of.stored} = [{gaps}]"
+
+
+def _in_words(sweep: SweepFile, gaps: Sequence[float]) -> str:
+    """Gaps in mm where the file tells the rig."""
+    unit = spoken(sweep, sweep.gap_name)
+    return ", ".join(f"gap {gap * unit.factor:.6g} {unit.unit}" if unit else f"gap/A0 {gap:.6g}" for gap in gaps)
 
 
 def _look(kind: str) -> dict[str, Any]:
@@ -104,7 +136,7 @@ def _is_same(border: Border, other: Border) -> bool:
 
 def _is_met(sweep: SweepFile, border: Border) -> bool:
     """Whether a branch has the motion of one side within one and a half steps."""
-    near = np.abs(sweep.values - border.frequency_ratio) <= 1.5 * np.max(np.diff(sweep.values))
+    near = np.abs(sweep.values - border.frequency_ratio) <= 1.5 * np.max(np.diff(sweep.values), initial=0.0)
     p, q = border.impacts, border.period
     sides = {(p, q)} | ({(2 * p, 2 * q)} if border.kind == "period_doubling" else set())
     sides |= {(p + 1, q)} if border.kind == "grazing" else set()

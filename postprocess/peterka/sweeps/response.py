@@ -56,7 +56,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         every_attractor.draw(ax, x, forces)
         for branch in file.at_gap(gap):
             _draw_branch(ax, file, branch, bottom, top)
-        notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
+        notes = [*_jump_notes(ax, file, gap), *_mark_strongest(ax, file, gap)]
         sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom)
         draw_borders(ax, at_gap(borders, gap))
         draw_unstable(ax, unstable_at_gap(unstable, gap), "force")
@@ -119,10 +119,10 @@ def _scattered(branch: Branch) -> Mask:
 
 def _draw_branch(ax: Axes, file: SweepFile, branch: Branch, bottom: float, top: float) -> None:
     look, x = LOOKS[branch.direction], file.values
-    y = np.where(branch.has_period, branch.force, np.nan)
+    along, y = sweep_panels.line_through(file, np.where(branch.has_period, branch.force, np.nan))
     # a line ends where the force jumps
     cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
-    ax.plot(np.insert(x, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
+    ax.plot(np.insert(along, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
             linewidth=look.linewidth, zorder=look.zorder)
     apart = _scattered(branch)
     ax.plot(x[apart], branch.force[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
@@ -135,14 +135,14 @@ def _draw_branch(ax: Axes, file: SweepFile, branch: Branch, bottom: float, top: 
                                 "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7})
 
 
-def _jump_notes(file: SweepFile, gap: float | None) -> list[Note]:
+def _jump_notes(ax: Axes, file: SweepFile, gap: float | None) -> list[Note]:
     """The frequencies of the largest jumps."""
     notes: list[Note] = []
     for branch in file.at_gap(gap):
         for before, after in branch.jumps()[:MOST_LABELLED]:
             middle = (file.values[before] + file.values[after]) / 2
             highest = max(branch.force[before], branch.force[after])
-            _add(notes, file, (middle, highest, sweep_panels.place_text(file, middle), LOOKS[branch.direction].colour))
+            _add(notes, ax, (middle, highest, sweep_panels.place_text(file, middle), LOOKS[branch.direction].colour))
     return notes
 
 
@@ -159,11 +159,11 @@ def _mark_strongest(ax: Axes, file: SweepFile, gap: float | None) -> list[Note]:
         newtons = units.amount(force * file.newtons, "N") if file.newtons else ""
         told = either(file, newtons, units.number(force), "{} = {}")
         text = f"{sign} {told} at {sweep_panels.place_text(file, x)}"
-        _add(notes, file, (x, force, text, "black"))
+        _add(notes, ax, (x, force, text, "black"))
     return notes
 
 
-def _add(notes: list[Note], file: SweepFile, note: Note) -> None:
+def _add(notes: list[Note], ax: Axes, note: Note) -> None:
     """Appends a note unless there is already one at the same place."""
-    if all(abs(note[0] - other[0]) > CLOSE * np.ptp(file.values) for other in notes):
+    if all(abs(sweep_panels.across(ax, note[0]) - sweep_panels.across(ax, other[0])) > CLOSE for other in notes):
         notes.append(note)

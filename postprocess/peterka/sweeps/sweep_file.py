@@ -21,6 +21,7 @@ from ..files.coordinates import coordinate
 from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC, UNRESOLVED, check_labels
+from ..maps.map_file import Axis, axis_of
 from ..maps.outcomes import QUANTILES, check_outcomes, quantiles
 
 MAX_POINTS = 2**20  # of all branches together
@@ -93,6 +94,11 @@ class SweepFile(OpenedFile):
     def computed(self) -> float:
         """Share of the points that are computed, 0 to 1."""
         return float(np.mean([np.mean(branch.regime != NOT_COMPUTED) for branch in self.branches]))
+
+    @cached_property
+    def cells(self) -> Axis:
+        """Its axis as that of a map: logarithmic or not, with an edge on either side of each point."""
+        return axis_of(self.axis_name, self.values)
 
     @property
     def gaps(self) -> list[float | None]:

@@ -65,7 +65,9 @@ def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tupl
     figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
                                     panels=len(file.gaps), columns=4, ax=ax)
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
-        ax.set_xlim(file.values[0], file.values[-1])
+        if file.cells.log:
+            axes.log_scale(ax, "x")
+        ax.set_xlim(*_edges(file)[[0, -1]])
         ax.set_ylabel(ylabel)
         if log:
             axes.log_scale(ax, "y")
@@ -106,14 +108,12 @@ def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity:
 def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
     """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
     line down to its place; the data reach from `bottom` up to `top`. Once the layout is made."""
-    low, high = ax.get_xlim()
     width = ax.bbox.width / ax.get_figure().dpi
     placed: list[tuple[int, float, float, float, str, str]] = []
     ends: list[float] = []
     for frequency, height, text, colour in sorted(notes):
-        across = (frequency - low) / (high - low)
         taken = 0.01 + text_width(text, NOTE_LETTERS) / width
-        first = max(min(across, 1 - taken), 0)
+        first = max(min(float(across(ax, frequency)), 1 - taken), 0)
         # below every note that it would run into: the lines down cross none of them
         line = max((other[0] + 1 for other, end in zip(placed, ends) if end > first), default=0)
         placed.append((line, first, frequency, height, text, colour))
@@ -129,6 +129,18 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
         ax.plot([frequency, frequency], [height, _at_share(ax, foot)], color=colour, linewidth=0.5, zorder=1.5)
 
 
+def line_through(file: SweepFile, values: Reals) -> tuple[Reals, Reals]:
+    """(x, y) of a line through values at all points, (..., points): that of one point alone goes across its cell."""
+    return (file.values, values) if len(file.values) > 1 else (file.cells.edges, np.repeat(values, 2, axis=-1))
+
+
+def across(ax: Axes, places: Reals | float) -> Reals:
+    """Where places on the axis lie in a panel, 0 at its left to 1 at its right."""
+    low, high = ax.get_xlim()
+    shares: Reals = np.log(places / low) / np.log(high / low) if ax.get_xscale() == "log" else np.asarray((places - low) / (high - low))
+    return shares
+
+
 def _at_share(ax: Axes, share: float) -> float:
     """The height at this relative position in a panel."""
     low, high = ax.get_ylim()
@@ -142,7 +154,7 @@ def place_text(file: SweepFile, value: float) -> str:
     replaces = file.axis_name in IN_MILLIMETRES
     digits = _digits_apart(file.values)
     if scale is None:
-        return f"{value:.{digits}g}"
+        return f"{value:.{digits}g} {label(file.axis_name).partition(' (')[2].rstrip(')')}".rstrip()
     name, factor = scale
     # the ratio of 20.375 Hz gives back 20.374999..., which would be rounded down
     in_units = f"{float(f'{value * factor:.{EXACT}g}'):.{digits}g} {name.rpartition('(')[2].rstrip(')')}"
@@ -206,10 +218,10 @@ def _class_handles(file: SweepFile) -> list[Artist]:
 
 def _show_classes(ax: Axes, file: SweepFile, gap: float | None) -> None:
     """A row of classes per branch, the first at the bottom, each with the mark of its direction."""
-    edges, shown = _edges(file.values), _shown(file)
+    edges, shown = across(ax, _edges(file)), _shown(file)
     for place, branch in enumerate(file.at_gap(gap)):
         strip = ax.inset_axes([0, 1 + STRIP * place, 1, STRIP])
-        strip.set(xlim=ax.get_xlim(), ylim=(0, 1), xticks=[], yticks=[])
+        strip.set(xlim=(0, 1), ylim=(0, 1), xticks=[], yticks=[])
         numbers = shown[_classes(branch)]
         changes = np.flatnonzero(np.diff(numbers)) + 1
         for first, last in zip([0, *changes], [*changes, len(numbers)]):
@@ -217,8 +229,7 @@ def _show_classes(ax: Axes, file: SweepFile, gap: float | None) -> None:
             look = fill(entry.colour)
             strip.axvspan(edges[first], edges[last], facecolor=look.colour, edgecolor=look.stroke, hatch=3 * look.hatch,
                           linewidth=0)
-            width = (edges[last] - edges[first]) / (edges[-1] - edges[0])
-            if width > STRIP_LETTERS * (len(entry.label) + 1):
+            if edges[last] - edges[first] > STRIP_LETTERS * (len(entry.label) + 1):
                 strip.text((edges[first] + edges[last]) / 2, 0.46, entry.label, ha="center", va="center", fontsize=6.5,
                            color=axes.letter_colour(look.colour), path_effects=axes.outline(1.5, look.colour))
         direction = LOOKS[branch.direction]
@@ -226,8 +237,7 @@ def _show_classes(ax: Axes, file: SweepFile, gap: float | None) -> None:
                    transform=strip.transAxes)
 
 
-def _edges(centres: Reals) -> Reals:
-    if len(centres) == 1:
-        return np.array([centres[0] - 0.5, centres[0] + 0.5])
-    inner = (centres[:-1] + centres[1:]) / 2
-    return np.concatenate([centres[:1], inner, centres[-1:]])
+def _edges(file: SweepFile) -> Reals:
+    """Of the stretches of the axis that points stand for, which end at the outermost ones; one point alone has a cell of a map."""
+    ends = file.values if len(file.values) > 1 else file.cells.edges
+    return np.concatenate([ends[:1], file.cells.edges[1:-1], ends[-1:]])

@@ -46,7 +46,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         _draw_band(panel, file, bands[gap])
         for branch in file.at_gap(gap) if is_force else ():
             look = LOOKS[branch.direction]
-            panel.plot(file.values, branch.force, color=look.colour, linestyle=look.linestyle, linewidth=OWN_WIDTH, zorder=look.zorder)
+            panel.plot(*sweep_panels.line_through(file, branch.force), color=look.colour, linestyle=look.linestyle, linewidth=OWN_WIDTH, zorder=look.zorder)
         tops = [float(np.nanmax(bands[gap], initial=0.0))]
         tops += [float(np.nanmax(branch.force, initial=0.0)) for branch in file.at_gap(gap) if is_force]
         tops += [point.force + point.errors.get("force", 0.0) for point in shown.at_gap(gap) if point.force is not None]
@@ -86,9 +86,9 @@ def _holds(file: SweepFile, branch: Branch, point: Point) -> bool:
 
 
 def _draw_band(panel: Axes, file: SweepFile, band: Reals) -> None:
-    low, median, high = band
-    panel.fill_between(file.values, low, high, zorder=1.2, **BAND)
-    panel.plot(file.values, median, zorder=1.8, **MEDIAN)
+    along, (low, median, high) = sweep_panels.line_through(file, band)
+    panel.fill_between(along, low, high, zorder=1.2, **BAND)
+    panel.plot(along, median, zorder=1.8, **MEDIAN)
 
 
 def _handles(file: SweepFile, is_force: bool) -> list[Artist]:
