@@ -37,7 +37,10 @@ std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoi
     const auto settle = [&](const OrbitPoint& guess) {
         return solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     };
-    if (fault.kind == OrbitFault::Kind::pierces) return settle(with_grazing(to, fault));
+    if (fault.kind == OrbitFault::Kind::pierces) {
+        const auto grazing = settle(with_grazing(to, fault));
+        return grazing && is_impact_before_it(stepper.rig(), *grazing) ? std::nullopt : grazing;
+    }
     const double before = from.orbit.events[fault.event].velocity;
     const double after = to.orbit.events[fault.event].velocity;
     const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);

@@ -83,6 +83,15 @@ OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced) {
     return result;
 }
 
+bool is_impact_before_it(const Rig& rig, const OrbitPoint& grazing) {
+    constexpr double together = 1e-3;  // of the orbit's duration; solved for, they come as close as 1e-4
+    const Orbit& orbit = grazing.orbit;
+    const double duration = rig.at(grazing.place).duration_of(orbit.period);
+    const std::size_t before = (orbit.grazing() + orbit.events.size() - 1) % orbit.events.size();
+    return rig.is_rigid() && orbit.events.size() > 1 &&
+           orbit.length_of_leg(before, duration) < together * duration;
+}
+
 std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& point, std::size_t event) {
     OrbitPoint result = point;
     std::vector<Event>& events = result.orbit.events;

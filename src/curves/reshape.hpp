@@ -23,6 +23,10 @@ namespace peterka::curves {
 // The point with a grazing added where a flight reaches furthest.
 [[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced);
 
+// Whether the grazing is no other event than the impact before it: an impact that takes all speed (r = 0)
+// leaves the hammer at rest on the stop, as a grazing does. There it begins to stick, and gains no impact.
+[[nodiscard]] bool is_impact_before_it(const Rig& rig, const OrbitPoint& grazing);
+
 // The point with a grazing in place of an impact that has lost its speed: the impact is removed or, where the
 // stop presses the hammer there, merges with the impact before it.
 [[nodiscard]] std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& point,

@@ -110,6 +110,10 @@ class HalfCurve {
     // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
     // `unclear`.
     Step judge(const Stepper::Here& here, Stepper::Here& there) {
+        if (kind_ == CurveKind::grazing && is_impact_before_it(rig_, there.point)) {
+            end = CurveEnd::lost;
+            return Step::ends;
+        }
         if (kind_ == CurveKind::grazing && grazing_turns_over(rig_, here.point, there.point)) {
             const auto guess = with_brief_grazing(there.point);
             const auto last =

@@ -254,3 +254,33 @@ def test_springs_that_keep_their_cubic_part_are_refused(tmp_path):
     refused = launch.run("run", "job.toml", "--set", "hammer.cubic_stiffness_n_per_m3=1e5", "--set", "solver.omit_tolerance=0",
                          cwd=tmp_path)
     assert refused.returncode == 2 and "curves leave the cubic part of the springs out" in refused.stderr
+
+
+def test_where_a_hammer_begins_to_stick_no_impact_is_gained(tmp_path):
+    """A stop that takes all speed leaves the hammer at rest, as a grazing does: no curve goes along where such a rest begins to last. On each
+    grazing curve another label begins, as maps of cells on either side of it show."""
+    rig = jobs.with_rigid_stop(jobs.RIG.format(kind="{kind}", title="r = 0")).replace("coefficient = 0.5", "coefficient = 0.0")
+    start = "[start]\ndisplacement_ratio = -1.0\n"
+    path, said = compute(tmp_path, rig.replace("{kind}", "curves") + jobs.axis("frequency_ratio", 0.6, 4.0, 48) + jobs.axis("gap_ratio", -0.3, 3.0, 48)
+                         + "[curves]\nmax_period = 2\ngap_ratio = [0.0, 1.0]\n" + start)
+    assert "without acceleration" not in said.stdout  # a special point of such a curve
+    with h5py.File(path) as file:
+        data = {name: item[()] for name, item in file.items() if name.startswith(("curve_", "crossing_", "point_"))}
+    crossings = data["crossing_frequency_ratio"][data["curve_kind"][data["crossing_curve"]] == 2]
+    assert len(crossings) > 0 and np.min(np.abs(crossings - 1.0)) > 1e-3  # that of no rest
+    places = []
+    for curve in np.flatnonzero((data["curve_kind"] == 2) & (data["curve_impacts"] > 0) & (data["curve_period"] == 1)):  # [start] leads to these
+        inner = slice(data["curve_first"][curve] + 3, data["curve_first"][curve] + data["curve_points"][curve] - 3)
+        frequency, gap = data["point_frequency_ratio"][inner], data["point_gap_ratio"][inner]
+        places += [(frequency[n], gap[n]) for n in np.linspace(0, len(gap) - 1, 8).astype(int)]
+    assert len(places) >= 8
+    same = []
+    for number, (frequency, gap) in enumerate(places):
+        job = rig.replace("{kind}", "map") + jobs.axis("frequency_ratio", frequency, frequency, 1) + jobs.axis("gap_ratio", gap - 0.004, gap + 0.004, 2)
+        (tmp_path / f"{number}.toml").write_text(job + start)
+        assert launch.run("run", f"{number}.toml", "--quiet", cwd=tmp_path).returncode == 0
+        with h5py.File(tmp_path / f"{number}.h5") as cells:
+            labels = {tuple(int(cells[name][row, 0]) for name in ("regime", "impacts", "period")) for row in (0, 1)}
+        if len(labels) != 2:
+            same.append((frequency, gap, labels))
+    assert not same
