@@ -51,6 +51,14 @@ def test_all_orbits_of_a_small_map_are_confirmed(small_map):
     assert int(finished.stdout.split(" cells")[0].split()[-1]) >= 8
 
 
+def test_where_nothing_has_a_proof_that_is_told(tmp_path):
+    path = solved(tmp_path, text(2, '"orbit"').replace("from = 0.1", "from = 2.4").replace("from = 1.4", "from = 4.3"))
+    with PeterkaFile(path) as file:
+        assert not (file.data.values("regime", slice(None)) == 1).any()
+    finished = check(path)
+    assert finished.returncode == 0 and "no periodic cell with q up to 8 has a proof, so none was proved again" in finished.stdout
+
+
 def test_one_with_a_cubic_spring_is(tmp_path):
     path = solved(tmp_path, text(3, '"orbit"', jobs.RIG.replace("[cart]", "cubic_stiffness_n_per_m3 = 238.23\n[cart]")))
     assert ": 1 confirmed, 0 not decided, 0 contradicted" in check(path, "--cells", "1", "--max-period", "1").stdout

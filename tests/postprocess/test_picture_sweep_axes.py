@@ -105,5 +105,23 @@ def test_places_on_an_axis_without_a_ratio_have_their_unit(tmp_path):
 def test_gaps_of_which_a_file_has_no_curves_are_told(tmp_path, asked, told):
     curves = write_curves(tmp_path / "curves.h5", LINES, [], CROSSINGS, job=f"{JOB}curves = {{ {asked} }}\n")
     with SweepFile(write_sweep(tmp_path / "sweep.h5", job=JOB)) as file:
-        last = borders.table(file, borders.read_borders(curves, file))[-1]
+        last = borders.told(curves, file, borders.read_borders(curves, file))[-1]
     assert last.endswith("curves.h5 has no curves at gap 0 mm; compute it with [curves] gap_ratio = [0, 1.5]" if told else "fold")
+
+
+def test_that_no_border_is_met_is_told_and_at_which_gaps_none_was_sought(tmp_path):
+    far = [(0, 2.3, 1.5)]  # of 1/1, where the sweep has none
+    curves = write_curves(tmp_path / "curves.h5", LINES, [], far, job=f"{JOB}curves = {{ gap_ratio = [1.5] }}\n")
+    with SweepFile(write_sweep(tmp_path / "sweep.h5", job=JOB)) as file:
+        met, lacking = borders.told(curves, file, borders.read_borders(curves, file))
+    assert met.endswith("sweep.h5 meets a border at its gaps") and "no curves at gap 0 mm" in lacking
+
+
+def test_why_a_rigid_stop_has_no_picture_of_forces_is_told(tmp_path, run_program):
+    path = write_sweep(tmp_path / "rigid.h5")
+    with SealedFile(path, "r+") as file:
+        file["impacts"][...] = file["regime"][()] == 1
+        file["peak_force_ratio"][...] = 0
+    told = run_program("draw", path, "--output-dir", tmp_path)[1]
+    assert "no value to draw (impacts have no peak force, as on a rigid stop), response is left out" in told
+    assert (tmp_path / "rigid_bifurcation.png").exists()

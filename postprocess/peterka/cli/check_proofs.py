@@ -54,8 +54,11 @@ def check(file: PeterkaFile, cells: int, max_period: int, all_words: bool) -> in
             why = f": {verdict.why}" if verdict.why else ""
             tell(f"{place}, {claim.impacts}/{claim.period}: {verdict.word}{why} ({seconds[-1]:.1f} s)")
     tried = sum(words.values())
+    if not tried:
+        tell(f"{file.path}: no periodic cell with q up to {max_period} has a proof, so none was proved again")
+        return DONE
     tell(f"{tried} cells: " + ", ".join(f"{words[word]} {word}" for word in (CONFIRMED, NOT_DECIDED, CONTRADICTED))
-         + (f"; {np.mean(seconds):.1f} s each, {max(seconds):.1f} at most" if seconds else ""))
+         + f"; {np.mean(seconds):.1f} s each, {max(seconds):.1f} at most")
     return CONTRADICTION if words[CONTRADICTED] else DONE
 
 

@@ -66,8 +66,8 @@ from .picture_options import (
     add_style_arguments, check_style, style_of, zoomed,
 )
 from ..sweeps import residuals, uncertain_response
-from ..sweeps.borders import NO_BORDERS, Border, read_borders
-from ..sweeps.borders import table as table_of_borders
+from ..sweeps import borders as of_sweeps
+from ..sweeps.borders import NO_BORDERS, Border
 from ..sweeps.sweep_file import SweepFile
 from ..sweeps.unstable import NO_UNSTABLE, read_unstable
 
@@ -153,14 +153,12 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
         borders: Sequence[Border] = NO_BORDERS
         unstable, curves = NO_UNSTABLE, None
         if arguments.curves and isinstance(file, SweepFile):
-            borders = read_borders(arguments.curves, file)
+            borders = of_sweeps.read_borders(arguments.curves, file)
+            unstable = read_unstable(arguments.curves, file, borders) if borders else NO_UNSTABLE
+            for line in of_sweeps.told(arguments.curves, file, borders):
+                tell(line)
         elif arguments.curves:
             curves = read_lines(arguments.curves, file)
-        if borders:
-            assert isinstance(file, SweepFile)
-            unstable = read_unstable(arguments.curves, file, borders)
-            for line in table_of_borders(file, borders):
-                tell(line)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves, arguments.probability)
@@ -172,7 +170,8 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
                 outcome = BAD_INPUT
                 continue
             if drawn is None:
-                tell(f"{path}: no value to draw, {name} is left out")
+                why = " (impacts have no peak force, as on a rigid stop)" if isinstance(file, SweepFile) and "response" in name and file.lacks_forces else ""
+                tell(f"{path}: no value to draw{why}, {name} is left out")
                 continue
             save_all(figure_of(drawn), arguments.output_dir, picture_name(file, name), arguments.formats)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.

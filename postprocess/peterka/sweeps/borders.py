@@ -43,13 +43,7 @@ class Border:
 NO_BORDERS: tuple[Border, ...] = ()
 
 
-class Borders(list[Border]):
-    """Borders of a sweep, and `lacking`: at which of its gaps the file has no curves, in words; empty where it has them at each."""
-
-    lacking = ""
-
-
-def read_borders(path: Path, sweep: OpenedFile) -> Borders:
+def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
     """The borders that the sweep's branches meet, by gap and frequency."""
     if not isinstance(sweep, SweepFile):
         raise PeterkaFileError(f"{sweep.path} is no sweep but a {sweep.kind}; borders are drawn over a sweep of frequencies")
@@ -58,7 +52,7 @@ def read_borders(path: Path, sweep: OpenedFile) -> Borders:
     with CurvesFile(path) as file:
         if rig_of(file) != rig_of(sweep):
             raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}{differing(file, sweep)}")
-        crossings, known = file.crossings, _gaps_of(file)
+        crossings = file.crossings
     borders = [Border(each.frequency_ratio, gap, each.curve.kind, each.curve.impacts, each.curve.period)
                for gap in sweep.gaps if gap is not None
                for each in crossings if abs(each.gap_ratio - gap) < SAME_GAP]
@@ -66,11 +60,18 @@ def read_borders(path: Path, sweep: OpenedFile) -> Borders:
         raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; {_to_compute(sweep)}")
     met = sorted((border for border in borders if _is_met(sweep, border)),
                  key=lambda border: (border.gap, border.frequency_ratio))
-    found = Borders(border for n, border in enumerate(met) if not any(_is_same(border, other) for other in met[:n]))
+    return [border for n, border in enumerate(met) if not any(_is_same(border, other) for other in met[:n])]
+
+
+def told(path: Path, sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
+    """The table of the borders that the sweep meets, or that it meets none, and the gaps at which the file has no curves."""
+    with CurvesFile(path) as file:
+        known = _gaps_of(file)
+    lines = table(sweep, borders) if borders else [f"{path}: no motion of {sweep.path} meets a border at its gaps"]
     lacking = [gap for gap in sweep.gaps if known and gap is not None and all(abs(gap - one) >= SAME_GAP for one in known)]
     if lacking:
-        found.lacking = f"{path} has no curves at {_in_words(sweep, lacking)}; {_to_compute(sweep)}"
-    return found
+        lines.append(f"{path} has no curves at {_in_words(sweep, lacking)}; {_to_compute(sweep)}")
+    return lines
 
 
 def at_gap(borders: Sequence[Border], gap: float | None) -> list[Border]:
@@ -100,8 +101,7 @@ def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
     rows += [(f"{border.frequency_ratio * across:#.9g}", f"{border.gap * up:.6g}", name_of(border.impacts, border.period),
               WORDS[border.kind]) for border in borders]
     widths = [max(map(len, column)) for column in zip(*rows)]
-    lines = ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
-    return [*lines, borders.lacking] if isinstance(borders, Borders) and borders.lacking else lines
+    return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
 
 
 def _gaps_of(file: CurvesFile) -> list[float]:

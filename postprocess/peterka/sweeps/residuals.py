@@ -29,12 +29,7 @@ def table(file: SweepFile, found: Sequence[Sequence[Match]]) -> list[str]:
     hertz = 1.0 if file.axis_name == "frequency_hz" else file.positive("natural_frequency_hz")
     metres = 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
     lines = tables.table([each for each in found if each], tables.Units(hertz, metres and 1000 * metres, file.newtons))
-    return [*lines, f"{file.path}: impacts have no peak force, as on a rigid stop: there is none to compare measured forces with"] if found and _lacks_forces(file) else lines
-
-
-def _lacks_forces(file: SweepFile) -> bool:
-    """Whether there are motions with impacts, and none has a force."""
-    return any(np.any(branch.impacts > 0) for branch in file.branches) and not any(np.any(branch.force > 0) for branch in file.branches)
+    return [*lines, f"{file.path}: impacts have no peak force, as on a rigid stop: there is none to compare measured forces with"] if found and file.lacks_forces else lines
 
 
 def _slots(file: SweepFile, branches: Sequence[Branch]) -> Slots | None:

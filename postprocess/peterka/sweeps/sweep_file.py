@@ -95,6 +95,11 @@ class SweepFile(OpenedFile):
         """Share of the points that are computed, 0 to 1."""
         return float(np.mean([np.mean(branch.regime != NOT_COMPUTED) for branch in self.branches]))
 
+    @property
+    def lacks_forces(self) -> bool:
+        """Whether there are motions with impacts, and none has a force."""
+        return any(np.any(branch.impacts > 0) for branch in self.branches) and not any(np.any(branch.force > 0) for branch in self.branches)
+
     @cached_property
     def cells(self) -> Axis:
         """Its axis as that of a map: logarithmic or not, with an edge on either side of each point."""
