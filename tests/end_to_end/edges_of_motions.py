@@ -1,5 +1,6 @@
 """Distance of a cell from the boundary of its own motion, independently of curves: an inheriting sweep continues the motion
-from the cell until its label changes, or its force jumps to that of another motion with the same label."""
+from the cell until its label changes, or its force, with a rigid stop its impact speed, jumps to that of another motion with
+the same label."""
 
 import re
 
@@ -36,6 +37,16 @@ def random_rigs(seed, count):
             for rig in kept_claims.random_rigs(seed, count)]
 
 
+def rigid_rigs(seed, count):
+    """The same with rigid stops, the first of which takes all speed, and the second nearly all."""
+    plastic = {n: f'law = "restitution"\ncoefficient = {coefficient}' for n, coefficient in enumerate((0.0, 0.05))}
+    return [{**rig, "stop": plastic.get(n, rig["stop"]), "eta": rig["eta"] / 2} for n, rig in enumerate(kept_claims.rigid_rigs(seed, count))]
+
+
+def is_rigid(rig):
+    return "restitution" in rig["stop"]
+
+
 def window_of(rig):
     return {"frequency_ratio": (rig["eta"], rig["eta"] + 3.0), "gap_ratio": (rig["gap"], rig["gap"] + 3.0)}
 
@@ -66,7 +77,8 @@ def label_of(cells, cell):
 
 
 def drag(folder, rig, place, side, to, state, steps):
-    """Values along a side from a point on, and labels and forces of the continued motion."""
+    """Values along a side from a point on, and labels and forces, with a rigid stop impact speeds, of the continued motion."""
+    strength = "impact_speed" if is_rigid(rig) else "peak_force_ratio"
     other = SIDES[1 - SIDES.index(side)]
     low, high = sorted([place[side], to])
     direction = f'direction = "{"up" if to > place[side] else "down"}"\n'
@@ -74,11 +86,11 @@ def drag(folder, rig, place, side, to, state, steps):
             f"[operating_point]\nfrequency_ratio = {float(place[other])!r}\n[sweep]\n{direction}")
     text = (RIG.format(kind="sweep", **rig) + jobs.axis(side, repr(float(low)), repr(float(high)), steps + 1) + rest
             + f"[start]\ndisplacement_ratio = {float(state[0])!r}\nvelocity_ratio = {float(state[1] + place['frequency_ratio'])!r}\n"
-            + "[steady_state]\nmax_cycles = 20000\n")
+            + "[steady_state]\nmax_cycles = 20000\n" + '[output]\nfields = ["impact_speed"]\n' * is_rigid(rig))
     onwards = slice(None, None, 1 if to > place[side] else -1)
     with run(folder, text) as file:
         labels = np.stack([file[name][0] for name in ("regime", "impacts", "period")], axis=1)
-        return file[side][()][onwards], labels[onwards], file["peak_force_ratio"][0][onwards]
+        return file[side][()][onwards], labels[onwards], file[strength][0][onwards]
 
 
 def jumps(forces):
@@ -173,21 +185,32 @@ def orbits_at(data, frequency, gap):
 
 
 def ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits):
-    """Whether a motion of the label that begins near a frequency, on an orbit of the curve there, ends when continued across it."""
-    for away in (sign * size for size in (1e-3, 1e-4, 1e-5) for sign in (-1, 1)):
+    """Whether a motion of the label that begins near a frequency, on an orbit of the curve there or on one that starts beside it
+    find, ends when continued across it."""
+    for away in (sign * size for size in (1e-3, 1e-4, 1e-5, 1e-6) for sign in (-1, 1)):
         begin = {"frequency_ratio": frequency * (1 + away), "gap_ratio": gap}
-        for orbit in orbits:
+        near = [motions_with_label(folder, rig, gap, [begin["frequency_ratio"]], impacts, period, 64, around(rig, begin, orbit))[0] for orbit in orbits]
+        for orbit in [*orbits, *map(tuple, np.concatenate(near or [[]]).tolist())]:
             found = end_of_motion(folder, rig, begin, "frequency_ratio", frequency * (1 - away), orbit, (PERIODIC, impacts, period))
             if found is not None and abs(found[0] - abs(frequency * away)) <= found[1]:
                 return True
     return False
 
 
-def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts):
-    """For each frequency: states (displacement, velocity) of the motions of a label found from this many starts."""
+def around(rig, place, orbit, most=0.05):
+    """(displacements, absolute velocities) of starts near an orbit, which is as far off as the cubic between its curve's points."""
+    gap = place["gap_ratio"]
+    (low, high), speeds = ([float(value) - most, float(value) + most] for value in (orbit[0], orbit[1] + place["frequency_ratio"]))
+    return [min(low, gap - most), min(high, gap)] if is_rigid(rig) else [low, high], speeds
+
+
+def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts, box=None):
+    """For each frequency: states (displacement, velocity) of the motions of a label found from this many starts of a box
+    ([from, to] of displacements, of absolute velocities)."""
+    displacements, velocities = box or ([gap - 6.0, gap] if is_rigid(rig) else [-6.0, 2.0], [-6.0, 6.0])
     text = (RIG.format(kind="map", **rig) + jobs.axis("frequency_ratio", repr(float(frequencies[0])), repr(float(frequencies[-1])), len(frequencies))
             + jobs.axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1)
-            + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = [-6.0, 2.0]\nvelocity_ratio = [-6.0, 6.0]\n")
+            + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = {displacements}\nvelocity_ratio = {velocities}\n")
     with run(folder, text) as file:
         is_one = ((file["attractor_regime"][:, 0] == (PERIODIC if impacts else 0)) & (file["attractor_impacts"][:, 0] == impacts)
                   & ((file["attractor_period"][:, 0] == period) | (impacts == 0)))

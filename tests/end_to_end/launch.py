@@ -23,7 +23,8 @@ def environment():
 # ob1 is what Open MPI chooses on one machine after it has started and left all others, which takes longer than a small job.
 ENVIRONMENT = environment() | {"OMPI_MCA_pml": "ob1"}
 # Without the daemon that Open MPI 4 starts beside a program not started by mpirun, which takes longer than a small job, too.
-ALONE = {"OMPI_MCA_ess_singleton_isolated": "1"}
+# All such have the same folder for their sockets, which one removes while another makes it: it is not made, as they need none.
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0"}
 
 
 def command(*arguments, ranks=None, binary=BINARY):

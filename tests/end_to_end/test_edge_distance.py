@@ -162,10 +162,10 @@ def test_a_doubled_motion_ends_where_it_merges_back(tmp_path):
     assert np.allclose(frequency[near] + distance[near], 2.659361979, atol=1e-8)
 
 
-@pytest.mark.parametrize("seed", [11, 12])
-def test_random_motions_end_where_dragging_them_ends(tmp_path, seed):
-    """Cells of a random rig, along both axes; tests/endurance.sh edges tests 500 of five rigs."""
-    rig, = edges_of_motions.random_rigs(seed, 1)
+@pytest.mark.parametrize("seed, rigs", [(11, edges_of_motions.random_rigs), (12, edges_of_motions.random_rigs), (11, edges_of_motions.rigid_rigs)])
+def test_random_motions_end_where_dragging_them_ends(tmp_path, seed, rigs):
+    """Cells of a random rig, along both axes; tests/endurance.sh edges tests 1,000 of ten rigs."""
+    rig = rigs(seed, 3)[-1]
     cells = edges_of_motions.cells_of(tmp_path, rig)
     found = {(cell, side): edges_of_motions.disagreement(tmp_path, rig, cells, cell, side)
              for cell, side in edges_of_motions.random_cells(cells, 16, seed)}

@@ -36,7 +36,7 @@ def call(prefix, tmp_path):
     def of_prefix(*command):
         path = f"{prefix / 'bin'}:/usr/bin:/bin"
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, env={
-            "PATH": path, "HOME": str(tmp_path), "OMPI_MCA_ess_singleton_isolated": "1", "LANG": "C.UTF-8",
+            "PATH": path, "HOME": str(tmp_path), "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": str(tmp_path), "LANG": "C.UTF-8",
             "PYTHONPATH": str(next((prefix / "lib").glob("python3*/*-packages")))})
         assert done.returncode == 0, done.stderr
         return done.stdout
@@ -62,7 +62,7 @@ def test_a_package_from_pip_finds_the_program_on_the_path(prefix, tmp_path):
     done = subprocess.run([sys.executable, "-c", f"import peterka; print(peterka.__file__, peterka.run({str(job)!r}, ranks=1).sizes['gap_ratio'])"],
                           cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False, env={
                               "PATH": f"{prefix / 'bin'}:/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(tmp_path / "site"), "LANG": "C.UTF-8",
-                              "OMPI_MCA_ess_singleton_isolated": "1"})
+                              "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": str(tmp_path)})
     assert done.returncode == 0, done.stderr
     assert done.stdout == f"{tmp_path / 'site/peterka/__init__.py'} 64\n"
 

@@ -3,6 +3,7 @@
 import importlib
 import os
 import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,8 +11,10 @@ import pytest
 
 POSTPROCESS = Path(__file__).resolve().parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
-# Starts of the program without what takes Open MPI longest; it changes no result: see end_to_end/launch.py.
-os.environ |= {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1"}
+# Starts of the program without what takes Open MPI longest; it changes no result: see end_to_end/launch.py. Each process of
+# pytest has a folder of its own for their sockets, as one start removes that folder while another makes it.
+SOCKETS = tempfile.TemporaryDirectory(prefix="ompi-")
+os.environ |= {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_tmpdir_base": SOCKETS.name, "OMPI_MCA_pml": "ob1"}
 
 
 def pytest_configure(config):
