@@ -187,9 +187,9 @@ def orbits_at(data, frequency, gap):
 def ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits):
     """Whether a motion of the label that begins near a frequency, on an orbit of the curve there or on one that starts beside it
     find, ends when continued across it."""
-    for away in (sign * size for size in (1e-3, 1e-4, 1e-5, 1e-6) for sign in (-1, 1)):
+    for away in (sign * size for size in (3e-3, 1e-3, 1e-4, 1e-5, 1e-6) for sign in (-1, 1)):
         begin = {"frequency_ratio": frequency * (1 + away), "gap_ratio": gap}
-        near = [motions_with_label(folder, rig, gap, [begin["frequency_ratio"]], impacts, period, 64, around(rig, begin, orbit))[0] for orbit in orbits]
+        near = [motions_with_label(folder, rig, gap, [begin["frequency_ratio"]], impacts, period, 2048, around(rig, begin, orbit))[0] for orbit in orbits]
         for orbit in [*orbits, *map(tuple, np.concatenate(near or [[]]).tolist())]:
             found = end_of_motion(folder, rig, begin, "frequency_ratio", frequency * (1 - away), orbit, (PERIODIC, impacts, period))
             if found is not None and abs(found[0] - abs(frequency * away)) <= found[1]:
@@ -232,12 +232,15 @@ def ends_there(folder, rig, gap, impacts, period, frequency):
 
 def is_border(folder, rig, gap, impacts, period, frequency, orbits):
     """Whether a motion of the label ends there, continued from where starts find it or from the orbit of its curve, or
-    exists on only one side of a frequency, within a small or a smaller distance."""
+    exists on only one side of a frequency, within a small or a smaller distance, as starts tell, also dense ones near that orbit."""
     if impacts and (ends_there(folder, rig, gap, impacts, period, frequency)
                     or ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits)):
         return True
     for beside in (1e-3, 1e-4, 1e-5, 1e-6):
-        below, above = motions_with_label(folder, rig, gap, [frequency * (1 - beside), frequency * (1 + beside)], impacts, period, starts=512)
-        if len(below) != len(above):
-            return True
+        sides = [frequency * (1 - beside), frequency * (1 + beside)]
+        at_curve = {"frequency_ratio": frequency, "gap_ratio": gap}
+        for starts, box in [(512, None), *((2048, around(rig, at_curve, orbit)) for orbit in orbits)]:
+            below, above = motions_with_label(folder, rig, gap, sides, impacts, period, starts, box)
+            if len(below) != len(above):
+                return True
     return False
