@@ -250,3 +250,16 @@ def test_grids_without_a_common_point_are_told_in_hertz_and_millimetres(tmp_path
 
 
 JOB_IN_HZ = "schema = 1\n[axes.frequency_hz]\nfrom = 4.5\nto = 18\npoints = 4\n[axes.gap_ratio]\nfrom = 0\nto = 3\npoints = 4\n"
+
+
+@pytest.mark.parametrize("other, told", [
+    (["edge", "orbit", "impact_speed", "contact_time", "sensitivity"], "output.fields: edge in B alone"),
+    (["orbit", "impact_speed", "contact_time", "power"], "output.fields: sensitivity in A alone, power in B alone"),
+    (["sensitivity", "contact_time", "impact_speed", "orbit"], "output.fields: the same values, in another order or number"),
+    (["orbit"], "output.fields: impact_speed, contact_time, sensitivity in A alone")])
+def test_of_long_lists_that_is_told_which_one_of_them_lacks(pair, tmp_path, other, told):
+    for name, fields in (("a.h5", ["orbit", "impact_speed", "contact_time", "sensitivity"]), ("b.h5", other)):
+        with SealedFile(tmp_path / name, "r+") as file:
+            file.attrs["job"] = f"[output]\nfields = {fields}\n"
+    with PeterkaFile(pair[0]) as a, PeterkaFile(pair[1]) as b:
+        assert comparison.differing_keys(a, b) == [told]

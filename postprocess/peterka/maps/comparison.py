@@ -205,7 +205,7 @@ def differing_keys(first: PeterkaFile, second: PeterkaFile, is_whole: bool = Tru
     keys = [key for key in dict.fromkeys([*a, *b]) if a.get(key) != b.get(key)]
     if not is_whole:
         keys = [key for key in keys if key.partition(".")[0] not in OF_A_RUN]
-    lines = [f"{_called(key, is_whole)}: {_value(a, key)} in A, {_value(b, key)} in B" for key in keys if key not in UNTOLD]
+    lines = [f"{_called(key, is_whole)}: {_both(a, b, key)}" for key in keys if key not in UNTOLD]
     more = len(lines) - MOST_KEYS
     return lines if more <= 0 else [*lines[:MOST_KEYS], f"and {more} more keys"]
 
@@ -231,6 +231,16 @@ def _flat(table: Mapping[str, Any], path: str = "") -> dict[str, Any]:
     for name, value in table.items():
         keys |= _flat(value, f"{path}{name}.") if isinstance(value, dict) else {path + name: value}
     return keys
+
+
+def _both(a: Mapping[str, Any], b: Mapping[str, Any], key: str) -> str:
+    """The values of a key; of long lists only what one of them lacks."""
+    first, second = a.get(key), b.get(key)
+    if not (isinstance(first, list) and isinstance(second, list)) or max(len(str(first)), len(str(second))) <= LONGEST_VALUE:
+        return f"{_value(a, key)} in A, {_value(b, key)} in B"
+    alone = {"A": [value for value in first if value not in second], "B": [value for value in second if value not in first]}
+    told = [f"{harmless(', '.join(map(str, values)), LONGEST_VALUE)} in {name} alone" for name, values in alone.items() if values]
+    return ", ".join(told) or "the same values, in another order or number"
 
 
 def _value(job: Mapping[str, Any], key: str) -> str:
