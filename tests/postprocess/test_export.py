@@ -113,6 +113,21 @@ def test_a_basin_has_its_own_axes(tmp_path, run_program):
     assert "peak_force_ratio" in first  # of a hammer of unknown mass
 
 
+@pytest.mark.parametrize("stored, unit, column, ratio, told", [
+    ("start_displacement_ratio", 1, "start_displacement_mm", "start_displacement_ratio", MILLIMETRES),
+    ("start_velocity_m_per_s", 2 * np.pi * 4.5 * 0.89e-3, "start_velocity_m_s", "start_velocity_ratio", 2 * np.pi * 4.5 * 0.89e-3)])
+def test_starts_as_an_axis_are_told_in_both_units(tmp_path, run_program, stored, unit, column, ratio, told):
+    axis = stored.removeprefix("start_")
+    path = write_map(tmp_path / "a.h5", job=f"[axes]\nfrequency_ratio.from = 1\nstart.{axis}.from = 0\n")
+    with SealedFile(path, "r+") as file:
+        file.move("gap_ratio", stored)
+        file[stored][:] *= unit
+    assert run_program("export", path)[0] == 0
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text:
+        last = list(csv.DictReader(text))[-1]
+    assert float(last[ratio]) == pytest.approx(3) and float(last[column]) == pytest.approx(3 * told)
+
+
 def test_what_the_file_doesnt_tell_stays_a_ratio(tmp_path, run_program):
     path = write_map(tmp_path / "a.h5", natural_frequency_hz="unknown", hammer_mass_kg=-1.0)
     assert run_program("export", path)[0] == 0

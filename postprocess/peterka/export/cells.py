@@ -131,8 +131,9 @@ def sides_of(file: PeterkaFile | SweepFile) -> tuple[Side, Side]:
 
 
 def _side(file: PeterkaFile | SweepFile, own_name: str, stored: str, ratios: Reals) -> Side:
-    units = {"frequency_ratio": ("frequency_hz", 1.0), "gap_ratio": ("gap_mm", 1e3), "displacement_ratio": ("displacement_mm", 1e3),
-             "velocity_ratio": ("velocity_m_s", 1.0)}
+    units = {"frequency_ratio": ("frequency_hz", 1.0), "gap_ratio": ("gap_mm", 1e3)} | {
+        f"{start}{ratio}": (f"{start}{name}", size) for start in ("", "start_")
+        for ratio, name, size in (("displacement_ratio", "displacement_mm", 1e3), ("velocity_ratio", "velocity_m_s", 1.0))}
     name, values = own_name, ratios
     unit = unit_of(file, own_name) if own_name in units else None
     if unit:
