@@ -20,7 +20,7 @@ from .maps.rates import NAMES as NAMES_OF_RATES
 from .measurements.points import NOTHING_MEASURED, Measurements
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
-from .sweeps import bifurcation, response, uncertain_response
+from .sweeps import bifurcation, field_response, response, uncertain_response
 from .sweeps.borders import NO_BORDERS, Border
 from .sweeps.sweep_file import SweepFile
 from .sweeps.unstable import NO_UNSTABLE
@@ -96,6 +96,7 @@ PICTURES = [
     Row("response_of_rigs", ("sweep",), uncertain_response.draw, uncertain_response.has_bands, ("measured",)),
     Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=OVER_SWEEPS),
     Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=OVER_SWEEPS),
+    *(Row(name, ("sweep",), partial(field_response.draw, name=name), partial(field_response.has, name=name)) for name in field_response.PICTURES),
     Row("motion", ("trace",), motion.draw),
     Row("phase_plane", ("trace",), phase_plane.draw),
     Row("relative_plane", ("trace",), relative_plane.draw_motion),

@@ -123,5 +123,5 @@ def test_why_a_rigid_stop_has_no_picture_of_forces_is_told(tmp_path, run_program
         file["impacts"][...] = file["regime"][()] == 1
         file["peak_force_ratio"][...] = 0
     told = run_program("draw", path, "--output-dir", tmp_path)[1]
-    assert "no value to draw (impacts have no peak force, as on a rigid stop), response is left out" in told
+    assert "no value to draw (impacts have no peak force, as on a rigid stop; the field impact_speed has a picture), response is left out" in told
     assert (tmp_path / "rigid_bifurcation.png").exists()

@@ -24,7 +24,8 @@ force that all but 5 % of them reach), and STEM_probability_... of each of the c
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
 curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them; with [uncertainty] STEM_response_of_rigs,
-the band in which nine of ten drawn rigs lie. A file of curves gives
+the band in which nine of ten drawn rigs lie; and over its axis each of impact_speed, impulse, contact_time, contact_power_w,
+max_displacement, multiplier, lyapunov, sensitivity, last_impact, force_per_cycle and elasticities that it holds. A file of curves gives
 STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap (of
 other axes _columns and _rows). The points of --measured lie over these three, and over
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
@@ -170,7 +171,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
                 outcome = BAD_INPUT
                 continue
             if drawn is None:
-                why = " (impacts have no peak force, as on a rigid stop)" if isinstance(file, SweepFile) and "response" in name and file.lacks_forces else ""
+                why = " (impacts have no peak force, as on a rigid stop; the field impact_speed has a picture)" if isinstance(file, SweepFile) and "response" in name and file.lacks_forces else ""
                 tell(f"{path}: no value to draw{why}, {name} is left out")
                 continue
             save_all(figure_of(drawn), arguments.output_dir, picture_name(file, name), arguments.formats)

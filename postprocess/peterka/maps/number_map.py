@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 
 from ..arrays import Integers, Mask
 from ..files.coordinates import unit_of
+from ..files.opened import OpenedFile
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import style, units
 from ..plotting.coordinates import either
@@ -64,12 +65,13 @@ NUMBERS = {
 def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
     """The picture of one of NUMBERS that the file has, as Axes over its plane; None if no cell has a value."""
     number = NUMBERS[name]
-    field = Field(name, number.carries, number.apart, lambda largest: _scale(file, number, largest), number.from_zero,
+    field = Field(name, number.carries, number.apart, lambda largest: scale_of(file, number, largest), number.from_zero,
                   marks_largest=number.in_si is None)
     return field_map.draw(file, field, ax)
 
 
-def _scale(file: PeterkaFile, number: Number, largest: float) -> Scale:
+def scale_of(file: OpenedFile, number: Number, largest: float) -> Scale:
+    """The Scale of one of NUMBERS, whose values are up to the largest."""
     in_si = style.current().units == "si"
     if number.in_si:
         return _scale_of_coordinate(file, number)
@@ -85,7 +87,7 @@ def _scale(file: PeterkaFile, number: Number, largest: float) -> Scale:
                  ("N", newtons), WEIGHTS)
 
 
-def _scale_of_coordinate(file: PeterkaFile, number: Number) -> Scale:
+def _scale_of_coordinate(file: OpenedFile, number: Number) -> Scale:
     assert number.in_si is not None
     name, words, unit, factor = number.in_si
     own = unit_of(file, name)

@@ -43,6 +43,10 @@ def _known(regime: Integers, *_: object) -> Mask:
 
 
 def _scale(file: PeterkaFile, name: str, largest: float) -> Scale:
-    factor, unit = units.with_prefix(largest, file.unit(name))
-    title = TITLES.get(name) or file.words(name)
-    return Scale(f"{title} ({unit})", factor, lambda value: units.amount(value, file.unit(name)), in_si=(file.unit(name), 1.0))
+    return scale_of(TITLES.get(name) or file.words(name), file.unit(name), largest)
+
+
+def scale_of(title: str, unit: str, largest: float) -> Scale:
+    """The Scale of numbers in a unit, up to the largest."""
+    factor, prefixed = units.with_prefix(largest, unit)
+    return Scale(f"{title} ({prefixed})", factor, lambda value: units.amount(value, unit), in_si=(unit, 1.0))

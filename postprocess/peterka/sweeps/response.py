@@ -93,14 +93,7 @@ def _limits(file: SweepFile, gap: float | None, top: float, limits: tuple[float,
 
 
 def _handles(file: SweepFile) -> list[Artist]:
-    handles = []
-    for name in sweep_panels.directions(file):
-        look = LOOKS[name]
-        handles.append(Line2D([], [], label=direction_words(file, name), color=look.colour, linestyle=look.linestyle,
-                              linewidth=look.linewidth))
-        if any(_scattered(branch).any() for branch in file.branches if branch.direction == name):
-            handles.append(Line2D([], [], label=f"no period, {direction_words(file, name)}", color=look.colour, marker=look.marker,
-                                  markersize=2.5, linestyle="none"))
+    handles = sweep_panels.direction_handles(file, lambda branch: branch.force)
     strongest = [(branch, branch.strongest_single()) for branch in file.branches]
     found = {branch.is_resonance(at) for branch, at in strongest if at is not None}
     if True in found:
@@ -112,21 +105,9 @@ def _handles(file: SweepFile) -> list[Artist]:
     return handles
 
 
-def _scattered(branch: Branch) -> Mask:
-    mask: Mask = ~branch.has_period & np.isfinite(branch.force)
-    return mask
-
-
 def _draw_branch(ax: Axes, file: SweepFile, branch: Branch, bottom: float, top: float) -> None:
     look, x = LOOKS[branch.direction], file.values
-    along, y = sweep_panels.line_through(file, np.where(branch.has_period, branch.force, np.nan))
-    # a line ends where the force jumps
-    cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
-    ax.plot(np.insert(along, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
-            linewidth=look.linewidth, zorder=look.zorder)
-    apart = _scattered(branch)
-    ax.plot(x[apart], branch.force[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
-            linestyle="none", zorder=look.zorder - 0.5)
+    sweep_panels.draw_branch(ax, file, branch, branch.force)
     for before, after in branch.jumps():
         middle = (x[before] + x[after]) / 2
         start, end = np.clip(branch.force[[before, after]], bottom, top)

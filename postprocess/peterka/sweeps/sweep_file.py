@@ -52,8 +52,8 @@ class Branch:
 
     @property
     def has_period(self) -> Mask:
-        """Mask of the points with a periodic motion and a force, (points,)."""
-        mask: Mask = ~np.isin(self.regime, WITHOUT_PERIOD) & np.isfinite(self.force)
+        """Mask of the points that are neither chaotic nor unresolved, (points,)."""
+        mask: Mask = ~np.isin(self.regime, WITHOUT_PERIOD)
         return mask
 
     def jumps(self) -> list[tuple[int, int]]:

@@ -5,12 +5,13 @@ Directions differ in line, marker and brightness, so that they are distinguishab
 measured points, differ from those of all classes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 
 from ..arrays import Integers, Reals
 from ..plotting import axes, style
@@ -132,6 +133,30 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
 def line_through(file: SweepFile, values: Reals) -> tuple[Reals, Reals]:
     """(x, y) of a line through values at all points, (..., points): that of one point alone goes across its cell."""
     return (file.values, values) if len(file.values) > 1 else (file.cells.edges, np.repeat(values, 2, axis=-1))
+
+
+def direction_handles(file: SweepFile, values: Callable[[Branch], Reals]) -> list[Artist]:
+    """Legend entries of the directions, and of motions without a period that have a value, one of `values` (points,) of a branch."""
+    handles: list[Artist] = []
+    for name in directions(file):
+        look = LOOKS[name]
+        handles.append(Line2D([], [], label=direction_words(file, name), color=look.colour, linestyle=look.linestyle, linewidth=look.linewidth))
+        if any(np.isfinite(values(branch)[~branch.has_period]).any() for branch in file.branches if branch.direction == name):
+            handles.append(Line2D([], [], label=f"no period, {direction_words(file, name)}", color=look.colour, marker=look.marker,
+                                  markersize=2.5, linestyle="none"))
+    return handles
+
+
+def draw_branch(ax: Axes, file: SweepFile, branch: Branch, values: Reals) -> None:
+    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, and single marks elsewhere."""
+    look = LOOKS[branch.direction]
+    along, y = line_through(file, np.where(branch.has_period, values, np.nan))
+    cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
+    ax.plot(np.insert(along, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
+            linewidth=look.linewidth, zorder=look.zorder)
+    apart = ~branch.has_period & np.isfinite(values)
+    ax.plot(file.values[apart], values[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
+            linestyle="none", zorder=look.zorder - 0.5)
 
 
 def across(ax: Axes, places: Reals | float) -> Reals:

@@ -1,0 +1,102 @@
+"""Other numbers of a sweep's motions over its axis, a panel per gap: the fields of a map, if the sweep has them.
+
+Periodic motions are lines, which end where the file tells a jump; those of other motions, over the observation window, are single marks.
+"""
+
+import textwrap
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..arrays import Reals
+from ..errors import PeterkaFileError
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..maps import elasticity_map
+from ..maps.field_map import Scale
+from ..maps.map_file import QUANTITIES
+from ..maps.number_map import NUMBERS
+from ..maps.number_map import scale_of as scale_of_number
+from ..maps.quantity_map import FAR_FROM_ZERO, TITLES
+from ..maps.quantity_map import scale_of as scale_of_quantity
+from ..plotting import style, units
+from ..plotting.limits import requested
+from ..plotting.picture import picture
+from . import sweep_panels
+from .sweep_file import Branch, SweepFile
+
+CYCLES = "last_impact"
+ELASTICITIES = {f"elasticity_{number}": [f"{result}_elasticity_{number}" for result in elasticity_map.RESULTS]
+                for number in elasticity_map.NUMBERS}
+# Of each picture, the datasets of which a file may have one; orbits are in the bifurcation diagrams.
+PICTURES = {name: [name] for name in (*TITLES, *NUMBERS, CYCLES) if not name.startswith("orbit")} | ELASTICITIES
+FROM_ZERO = {*TITLES, CYCLES, *(name for name, number in NUMBERS.items() if number.from_zero)} - set(FAR_FROM_ZERO)
+MARGIN = 0.05  # of a panel's height, above and below the values
+LETTERS = 30  # in a line of the name of a scale
+
+
+def has(file: SweepFile, name: str) -> bool:
+    """Whether a sweep has one of the fields of PICTURES."""
+    return _dataset(file, name) is not None
+
+
+@picture(SweepFile)
+def draw(file: SweepFile, ax: Axes | None = None, *, name: str) -> list[Axes] | None:
+    """One of PICTURES as a list of Axes, one per gap; None if no motion has a value."""
+    dataset = _dataset(file, name)
+    assert dataset is not None
+    values = {branch.row: _values(file, dataset, branch) for branch in file.branches}
+    every = np.concatenate(list(values.values()))
+    every = every[np.isfinite(every)]
+    if not np.any(every != 0):
+        return None
+    scale = _scale(file, name, dataset, float(np.abs(every).max()))
+    limits = requested(file, every, scale.in_si, scale.ratio)
+    log = style.current().log and every.min() > 0
+    second = scale.second and (_in_lines(scale.second[0]), scale.second[1])
+    panels = sweep_panels.panels(file, sweep_panels.direction_handles(file, lambda branch: values[branch.row]), _in_lines(scale.label), second, ax, log=log)
+    for gap, panel in panels.items():
+        for branch in file.at_gap(gap):
+            sweep_panels.draw_branch(panel, file, branch, scale.factor * values[branch.row])
+        own = np.concatenate([values[branch.row] for branch in file.at_gap(gap)])
+        panel.set_ylim(*(scale.factor * end for end in limits or _ends(own[np.isfinite(own)], every, name in FROM_ZERO, log)))
+    return list(panels.values())
+
+
+def _dataset(file: SweepFile, name: str) -> str | None:
+    shape = (len(file.branches), len(file.values))
+    for dataset in PICTURES[name]:
+        try:
+            file.data.dataset(dataset, shape, INTEGER + REAL)
+        except PeterkaFileError:
+            continue
+        return dataset
+    return None
+
+
+def _values(file: SweepFile, dataset: str, branch: Branch) -> Reals:
+    """Of a branch, (points,); NaN where there is none, which of whole numbers is below 0."""
+    stored = file.data.values(dataset, branch.row)
+    return np.where(stored < 0, np.nan, stored) if stored.dtype.kind in INTEGER else np.asarray(stored, dtype=float)
+
+
+def _ends(own: Reals, every: Reals, from_zero: bool, log: bool) -> tuple[float, float]:
+    """(bottom, top) of a panel whose values are `own`, those of all panels `every`."""
+    low, high = (own.min(), own.max()) if len(own) else (every.min(), every.max())
+    if log:
+        return 0.9 * low, 1.1 * high
+    bottom = min(low, 0.0) if from_zero else low
+    room = MARGIN * ((high - bottom) or abs(high) or 1.0)
+    return (bottom if from_zero and bottom == 0 else bottom - room), high + room
+
+
+def _scale(file: SweepFile, name: str, dataset: str, largest: float) -> Scale:
+    if name in TITLES:
+        return scale_of_quantity(TITLES[name], QUANTITIES[name][0], largest)
+    if name in NUMBERS:
+        return scale_of_number(file, NUMBERS[name], largest)
+    words = "forcing cycles to the last impact" if name == CYCLES else f"{elasticity_map.words(dataset)} (% per %)"
+    return Scale(words, 1, units.number)
+
+
+def _in_lines(label: str) -> str:
+    return textwrap.fill(label, LETTERS, break_long_words=False)
