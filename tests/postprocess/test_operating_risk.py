@@ -44,13 +44,53 @@ def plain(low, sure, hz, mm):
 @pytest.mark.parametrize("regimes", [None, ["1/1"], ["1/1", "2/2"]])
 def test_the_value_is_the_least_of_the_box(tmp_path, hz, mm, regimes):
     shares = probabilities(ROWS, COLUMNS)
+    shares[0] += 1 - shares.sum(axis=0)
+    shares[:, :12] = np.array([0.75, 0, 0.25, 0])[:, None, None]
+    shares[:, :11, 8:] = np.array([1, 0, 0, 0])[:, None, None]
     likely = {None: np.ones_like(shares[0]), "1/1": shares[0], "1/1,2/2": shares[0] + shares[2]}[",".join(regimes) if regimes else None]
-    with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file:
-        found = risk.admitted_at(file, 0.95, regimes)
-        worst = worst_of_boxes(found, *(reach(file, axis, hz, mm) for axis in (file.rows, file.columns)))
-    expected = plain(LOW, likely >= 0.95, hz, mm)
-    assert np.isfinite(expected).sum() > 10
-    np.testing.assert_allclose(worst, expected)
+    with PeterkaFile(write_uncertain(tmp_path / "a.h5", shares=shares)) as file:
+        found = {each: risk.admitted_at(file, each, regimes) for each in risk.KEPT}
+        worst = {each: worst_of_boxes(found[each], *(reach(file, axis, hz, mm) for axis in (file.rows, file.columns))) for each in found}
+    always = likely >= 1 - 1e-9
+    expected = {0.95: plain(LOW, always, hz, mm), 0.5: plain(np.where(always, forces(ROWS, COLUMNS)[1], LOW), likely >= 0.55, hz, mm)}
+    for each in found:
+        assert np.isfinite(expected[each]).sum() > 10
+        np.testing.assert_allclose(worst[each], expected[each])
+
+
+@pytest.mark.parametrize("regimes", [["1/1"], ["2/2"], ["1/1", "2/2"]])
+def test_a_value_in_a_motion_is_reached_in_it(tmp_path, regimes):
+    """By draws of which motion and force are known: quantiles of all forces are no forces in the motion."""
+    chance = np.random.default_rng(3)
+    kind = np.array([[chance.choice(4, 64, p=chance.dirichlet([0.3, 0.05, 0.1, 0.02])) for _ in range(COLUMNS)] for _ in range(ROWS)])
+    force = np.where(kind == 1, 0, chance.random(4)[kind] * 50 + 5 * chance.random(kind.shape))
+    in_order = np.sort(force, axis=-1)
+    path = write_uncertain(tmp_path / "a.h5", shares=np.stack([np.mean(kind == n, axis=-1) for n in range(4)]),
+                           quantiles=np.stack([in_order[..., math.ceil(64 * share) - 1] for share in (0.05, 0.5, 0.95)]))
+    of_regimes = np.isin(kind, [{"1/1": 0, "2/2": 2}[each] for each in regimes])
+    with PeterkaFile(path) as file:
+        for asked in risk.KEPT:
+            value = np.where(np.isfinite(risk.admitted_at(file, asked, regimes).value), risk.admitted_at(file, asked, regimes).value, np.inf)
+            both = np.mean(of_regimes & (force >= value[..., None]), axis=-1)
+            assert np.isfinite(value).sum() > 20 and np.all(both[np.isfinite(value)] >= asked)
+
+
+def test_a_motion_named_twice_counts_once(tmp_path, operate):
+    path = write_uncertain(tmp_path / "a.h5")
+    asked = ("--risk", "0.5", "--hz", "0", "--mm", "0", "--regime")
+    assert operate(path, *asked, "1/1,1/1")[1] == operate(path, *asked, "1/1")[1] != ""
+
+
+def test_a_value_in_a_motion_is_told_as_one(tmp_path, operate):
+    shares = np.zeros((4, ROWS, COLUMNS))
+    shares[0], shares[2] = 0.9, 0.1
+    path = write_uncertain(tmp_path / "a.h5", shares=shares, quantiles=np.full((3, ROWS, COLUMNS), 20.0))
+    code, told, _ = operate(path, "--risk", "0.5", "--regime", "1/1")
+    assert code == 0 and "peak force in 1/1 with a probability of 0.5, drift" in told
+    assert "at least 50 % of them end in 1/1 and reach its worst value there" in told and "of all rigs" not in told
+    code, _, complaint = operate(path, "--risk", "0.95", "--regime", "1/1")
+    assert code == 2 and ("in 1/1 with a probability of 0.95 at a drift ±0.5 Hz, ±0.1 mm, where boxes are ±0.871 Hz and ±0.116 mm; it keeps the values of "
+                          "all motions together, so that these motions need a probability of 1 to tell one in them; allow a smaller probability\n") in complaint
 
 
 def test_without_a_risk_the_drawn_rigs_are_named(tmp_path, operate):
@@ -138,7 +178,7 @@ def test_a_force_with_a_probability_is_that_of_the_own_mass(tmp_path, operate):
 
 def test_an_axis_of_one_value_does_not_drift(tmp_path, operate):
     noted, program = tmp_path / "noted", tmp_path / "program"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0))
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0, share=0))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
     path = write_uncertain(tmp_path / "a.h5", rows=1)
     code, told, complaint = operate(path, "--risk", "0.95", "--verify", "--peterka", program)
@@ -190,14 +230,32 @@ Path({noted!r}).write_text("\\n".join(words))
 rigs = int(dict(word.split("=") for word in words if "=" in word)["uncertainty.rigs"])
 quantiles = np.full((3, 2, 2), {value})
 quantiles[0, 1, 1] += 1  # the least of the cells counts
-write_uncertain(Path(words[words.index("--output") + 1]), 2, 2, rigs=rigs, quantiles=quantiles)
+shares = None
+if {share}:
+    shares = np.zeros((4, 2, 2))
+    shares[0], shares[2] = {share}, 1 - {share}
+write_uncertain(Path(words[words.index("--output") + 1]), 2, 2, rigs=rigs, quantiles=quantiles, shares=shares)
 """
+
+
+@pytest.mark.parametrize("share, value, words", [
+    (1.0, 50.0, "it holds in fresh draws"), (0.6, 5.0, "it falls short by "), (0.54, 50.0, "it isn't told by fresh draws")])
+def test_fresh_draws_are_asked_for_the_motion_too(tmp_path, operate, share, value, words):
+    program = tmp_path / "program"
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(tmp_path / "noted"), value=value, share=share))
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    shares = np.zeros((4, ROWS, COLUMNS))
+    shares[0], shares[2] = 0.9, 0.1
+    path = write_uncertain(tmp_path / "a.h5", shares=shares, quantiles=np.full((3, ROWS, COLUMNS), 20.0))
+    code, told, complaint = operate(path, "--risk", "0.5", "--regime", "1/1", "--verify", "--peterka", program)
+    line = told.splitlines()[-1]
+    assert (code, complaint) == (0, "") and line.startswith(words) and f"{100 * share:.4g} % end in 1/1" in line
 
 
 @pytest.mark.parametrize("value, words", [(50.0, "it holds in fresh draws"), (30.0, "it falls short by ")])
 def test_fresh_draws_are_many_more_over_the_drift(tmp_path, operate, value, words):
     program, noted = tmp_path / "program", tmp_path / "noted"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value))
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value, share=0))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
     path = write_uncertain(tmp_path / "a.h5")
     code, told, complaint = operate(path, "--risk", "0.95", "--hz", "0.5", "--mm", "0.1", "--verify", "--peterka", program)
@@ -232,7 +290,7 @@ def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path, table):
 def test_the_drift_of_an_uncertain_gap_is_verified_too(tmp_path, operate):
     """The program is asked for places all over the drift by which the place was chosen."""
     noted, program = tmp_path / "noted", tmp_path / "program"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0))
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0, share=0))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
     path = write_uncertain(tmp_path / "a.h5")
     with SealedFile(path, "r+") as file:

@@ -15,8 +15,8 @@ mass, and the ten best separate ones; draws STEM_operating_point, the worst valu
 drift around the best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the
 folder of the pictures, and says whether its worst value is as good there, or by how much it falls short.
 --risk 0.95 asks a map with [uncertainty], whose cells have many drawn rigs, each from a start of its own where it has [starts], for the
-largest value that is reached with this probability, drift, starts and rig taken together, whatever the motion, or in that of
---regime. A probability that the number of draws can't tell is refused (59 can tell 0.95). --verify draws many more rigs, at places
+largest value that is reached with this probability, drift, starts and rig taken together, whatever the motion, or, with --regime, in
+that one. A probability that the number of draws can't tell is refused (59 can tell 0.95). --verify draws many more rigs, at places
 within the drift, for the best place, and tells its value beside the map's: the best of many places flatters itself.
 Exit codes: 0 done, whatever came out; 2 a file cannot be read or has no such place, or bad arguments; 3 a picture or the box
 cannot be written.
@@ -123,7 +123,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
 
 def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     """The same for a value that is reached with a probability; the exit code."""
-    draws, quantity = risk.refuse_untold(file, arguments.risk), risk.quantity_at(file, arguments.risk)
+    draws, quantity = risk.refuse_untold(file, arguments.risk), risk.quantity_at(file, arguments.risk, arguments.regime)
     if arguments.quantity not in (None, quantity.name):
         raise file.refusal(f"keeps of its drawn rigs the {quantity.name} alone; --risk doesn't go with --quantity {arguments.quantity}")
     widths = read_drift(file, {"Hz": arguments.hz, "mm": arguments.mm})
@@ -139,7 +139,7 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if boxes:
         tell(f"  {apart}: {boxes}")
     tell_of_weights(quantity)
-    tell(f"  {risk.text_of_sampling(file, arguments.risk, draws)}")
+    tell(f"  {risk.text_of_sampling(file, arguments.risk, draws, arguments.regime)}")
     for line in risk.strange_offsets(file):
         tell(f"  {line}")
     for line in words.table(file, places, quantity, "least probability of z"):
@@ -150,8 +150,8 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
              f"{file.path.stem}_operating_point_risk", arguments.formats)
     if arguments.verify:
         fresh = fresh_draws.draw_afresh(file, places[0], widths, arguments.risk, arguments.output_dir,
-                                        arguments.ranks, arguments.peterka)
-        tell(fresh_draws.text_of(fresh, places[0], arguments.risk, quantity))
+                                        arguments.ranks, arguments.peterka, arguments.regime)
+        tell(fresh_draws.text_of(fresh, places[0], arguments.risk, quantity, arguments.regime))
     return DONE
 
 
@@ -180,9 +180,11 @@ def refusal_at_risk(file: PeterkaFile, arguments: argparse.Namespace, found: Adm
     asked = f"at which the hammer impacts{' in ' + ','.join(arguments.regime) if arguments.regime else ''} with a probability of "
     has_any, with_less = (bool(np.any((each.code != NO_REGIME) & (each.value > 0))) for each in (
         found, risk.admitted_at(file, min(risk.KEPT), arguments.regime)))
+    told_from = "" if not arguments.regime else (f"; it keeps the values of all motions together, so that these motions need a probability of "
+                                                 f"{risk.needed_share(arguments.risk):g} to tell one in them")
     if not has_any and not with_less:
         return file.refusal(f"has no cell {asked}{min(risk.KEPT):g}, whatever the drift")
-    return file.refusal(f"has no place {asked}{arguments.risk:g} {words.at_drift(file, *reaches)}" + instead(
+    return file.refusal(f"has no place {asked}{arguments.risk:g} {words.at_drift(file, *reaches)}{told_from}" + instead(
         "less drift" if has_any and words.drifts(*reaches) else "", "a smaller probability" if arguments.risk > min(risk.KEPT) and with_less else ""))
 
 
@@ -296,7 +298,7 @@ def read_regimes(text: str) -> list[str]:
     regimes = text.split(",")
     if not all(re.fullmatch(r"[1-9]\d{0,8}/[1-9]\d{0,8}", regime) for regime in regimes):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of p/q such as 1/1,1/2")
-    return regimes
+    return list(dict.fromkeys(regimes))
 
 
 def read_count(text: str) -> int:

@@ -15,12 +15,12 @@ import numpy as np
 
 from ..files.job_numbers import tables_of
 from ..maps.map_file import Axis, PeterkaFile
-from ..maps.outcomes import draws_of, quantiles
+from ..maps.outcomes import draws_of
 from ..plotting import units
 from .admitted import Quantity
 from .drift import unit_of
 from .places import Place
-from .risk import KEPT, assured, quantity_at
+from .risk import admitted_at, assured, needed_share, quantity_at
 from .verify import ROUNDING, NotVerified, axis_paths, compute, finer
 
 TIMES, FEWEST, MOST = 16, 1024, 10_000  # draws, times those of the map; at least and at most
@@ -30,18 +30,20 @@ SI = {"Hz": ("frequency_hz", 1.0), "mm": ("gap_m", 1e-3)}  # of a drift: key of 
 
 @dataclass(frozen=True)
 class Fresh:
-    """`rigs` drawn, `new` of them; the `value` reached with the probability asked for [in the unit of the Quantity], and what of the place
-    drifted, in words, or is uncertain in the job already."""
+    """`rigs` drawn, `new` of them; the `value` reached with the probability asked for [in the unit of the Quantity], NaN where the motions
+    asked for are too rare to tell one in them; what of the place drifted, in words, or is uncertain in the job already; and the least
+    probability of these motions, 1 for any."""
 
     rigs: int
     new: int
     value: float
     drifts: str
+    share: float = 1.0
 
 
 def draw_afresh(file: PeterkaFile, place: Place, drift: tuple[float, float], risk: float, folder: Path, ranks: int = 1,
-                binary: Path | None = None) -> Fresh:
-    """The Fresh of a Place with a drift [Hz, mm]; its job and file are written to `folder`."""
+                binary: Path | None = None, regimes: Sequence[str] | None = None) -> Fresh:
+    """The Fresh of a Place with a drift [Hz, mm], in any motion or in `regimes`; its job and file are written to `folder`."""
     before = draws_of(file).count
     rigs = min(MOST, max(FEWEST, TIMES * before))
     paths = axis_paths(file, file.data.attribute("job"))
@@ -50,19 +52,26 @@ def draw_afresh(file: PeterkaFile, place: Place, drift: tuple[float, float], ris
              (("columns", file.columns, place.column), ("rows", file.rows, place.row))}
     box = compute(file, sizes, {"uncertainty.rigs": rigs, **offsets}, folder / f"{file.path.stem}_draws", ranks, binary)
     with PeterkaFile(box) as found:
-        name = quantiles(found.data)[KEPT[risk]]
-        value = float(np.min(found.data.values(name, slice(None)) * quantity_at(found, risk).factor))
+        drawn = quantity_at(found, risk).of(admitted_at(found, risk, regimes))
+        value, share = float(np.min(drawn.value)), float(np.min(drawn.share)) if regimes else 1.0
         rigs = draws_of(found).count
-    if not math.isfinite(value):
+    if not math.isfinite(value) and not regimes:
         raise NotVerified(f"the fresh draws of {file.path} have no value")
-    return Fresh(rigs, max(0, rigs - before), value, drifts)
+    return Fresh(rigs, max(0, rigs - before), value, drifts, share)
 
 
-def text_of(found: Fresh, place: Place, risk: float, quantity: Quantity) -> str:
+def text_of(found: Fresh, place: Place, risk: float, quantity: Quantity, regimes: Sequence[str] | None = None) -> str:
     """The result in words, beside what the map promised."""
+    drawn = f"of {found.rigs:,} rigs, {found.new:,} of them new, {found.drifts}"
+    if regimes and not math.isfinite(found.value):
+        return (f"it isn't told by fresh draws: {drawn}, {100 * found.share:.4g} % end in {','.join(regimes)}, and only where {100 * needed_share(risk):g} % do, "
+                f"the file tells a value that {100 * risk:g} % reach in it")
     change = 100 * (found.value / place.worst - 1)
     judged = "it holds" if found.value >= place.worst * (1 - ROUNDING) else f"it falls short by {-change:.3g} %"
-    return (f"{judged} in fresh draws: of {found.rigs:,} rigs, {found.new:,} of them new, {found.drifts}, {100 * risk:g} % reach "
+    if regimes:
+        return (f"{judged} in fresh draws: {drawn}, {100 * found.share:.4g} % end in {','.join(regimes)}, and {100 * risk:g} % or more reach "
+                f"{units.amount(found.value, quantity.unit, 4)} in it ({change:+.2g} % beside the map's)")
+    return (f"{judged} in fresh draws: {drawn}, {100 * risk:g} % reach "
             f"{units.amount(found.value, quantity.unit, 4)} ({change:+.2g} % beside the map's); of all at least "
             f"{100 * assured(risk, found.rigs):.3g} %, in 19 cases of 20")
 

@@ -23,6 +23,7 @@ from .drift import Reach
 from .places import Place, box_of
 
 KEPT = {0.95: 5, 0.5: 50}  # probability: per cent of the draws that may lie below the value
+ROUNDING = 1e-9  # of sums of probabilities
 ANY_MOTION = 0  # the code of all cells: whatever the motion, the value counts
 
 
@@ -41,23 +42,37 @@ def refuse_untold(file: PeterkaFile, risk: float) -> Draws:
     return draws
 
 
-def quantity_at(file: PeterkaFile, risk: float) -> Quantity:
+def quantity_at(file: PeterkaFile, risk: float, regimes: Sequence[str] | None = None) -> Quantity:
     """The Quantity that is reached with this probability: a peak force, or the impact speed on a rigid stop."""
+    asked = f"in {','.join(regimes)} with a probability of {risk:g}" if regimes else f"with a probability of {risk:g}"
     if quantiles(file.data)[KEPT[risk]].startswith("speed"):
-        return Quantity("impact_speed", f"impact speed with a probability of {risk:g}", 1.0, "m/s")
-    return force_quantity(file, f"peak force with a probability of {risk:g}")
+        return Quantity("impact_speed", f"impact speed {asked}", 1.0, "m/s")
+    return force_quantity(file, f"peak force {asked}")
 
 
 def admitted_at(file: PeterkaFile, risk: float, regimes: Sequence[str] | None) -> Admitted:
-    """The Admitted of a map, whatever the motion; with `regimes`, ["p/q"], cells in which these have that probability together."""
-    name = quantiles(file.data)[KEPT[risk]]
+    """The Admitted of a map, whatever the motion; with `regimes`, ["p/q"], the value that is reached in these, and as `share` their
+    probability.
+
+    The file keeps the values of all motions together. Where P of the draws end in these motions, and Q reach a value, at least P + Q - 1 do
+    both (Frechet's inequality): so of the values that it keeps, the largest one counts of which that is not below the risk."""
+    kept = quantiles(file.data)
     pieces = []
-    for _, band in file.bands(["regime", name, *OUTCOMES]):
+    for _, band in file.bands(["regime", *(kept[below] for below in KEPT.values()), *OUTCOMES]):
         regime, impacts, period, shares = (band[each] for each in OUTCOMES)
         likely = sum(probability(each, regime, impacts, period, shares) for each in regimes) if regimes else np.ones(band["regime"].shape)
-        sound = (band["regime"] != NOT_COMPUTED) & np.isfinite(band[name]) & (likely >= risk - 1e-9)
-        pieces.append((np.where(sound, ANY_MOTION, NO_REGIME), band[name], np.nan_to_num(shares[0])))
+        values = np.full(band["regime"].shape, np.nan)
+        for reach in sorted(KEPT, reverse=True):  # larger values last
+            both = likely + reach - 1 >= risk - ROUNDING
+            values = np.where(both, band[kept[KEPT[reach]]], values)
+        sound = (band["regime"] != NOT_COMPUTED) & np.isfinite(values)
+        pieces.append((np.where(sound, ANY_MOTION, NO_REGIME), values, likely if regimes else np.nan_to_num(shares[0])))
     return Admitted(*(np.concatenate([piece[n] for piece in pieces]) for n in range(3)))
+
+
+def needed_share(risk: float) -> float:
+    """The probability that motions must have so that the file can tell a value that is reached in them with the risk."""
+    return risk + 1 - max(KEPT)
 
 
 def with_motions(file: PeterkaFile, places: Collection[Place], rows: Reach, columns: Reach) -> list[Place]:
@@ -96,8 +111,12 @@ def strange_offsets(file: PeterkaFile) -> list[str]:
     return lines
 
 
-def text_of_sampling(file: PeterkaFile, risk: float, draws: Draws) -> str:
+def text_of_sampling(file: PeterkaFile, risk: float, draws: Draws, regimes: Sequence[str] | None = None) -> str:
     """What the draws imply."""
     starts = ", each from a start of its own" if file.slots else ", each from [start]"
+    if regimes:
+        return (f"by sampling: {draws.in_words}{starts}; in each cell of a box at least {100 * risk:g} % of them end in {','.join(regimes)} and reach "
+                f"its worst value there (what misses either is added up, as the file keeps the values of all motions together: {','.join(regimes)} needs "
+                f"{100 * needed_share(risk):g} %), and so they do wherever in the box the drift leads")
     return (f"by sampling: {draws.in_words}{starts}; in each cell of a box at least {100 * risk:g} % of them reach its worst value, and so they do "
             f"wherever in the box the drift leads; of all rigs at least {100 * assured(risk, draws.count):.3g} %, in 19 cases of 20")
