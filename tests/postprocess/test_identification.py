@@ -3,16 +3,21 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
+from peterka.errors import PeterkaFileError
+from peterka.identification.adequacy import refuse_contradicting
 from peterka.identification.contact_pulse import identified, pulse
-from peterka.identification.fit import fit
+from peterka.identification.first_guess import look
+from peterka.identification.fit import UNKNOWN, fit, telling
 from peterka.identification.impact_table import from_impact
 from peterka.identification import numbers_found
 from peterka.identification.numbers_found import Number
+from peterka.identification.rig_file import rig_text
 from peterka.identification.recorded_file import read_recording
 
 MASS, STIFFNESS, DAMPING, OMEGA, RATIO = 0.298, 5.5e6, 1200.0, 2 * np.pi * 4.5, 0.004
@@ -199,3 +204,35 @@ def test_empty_lines_without_end_are_no_recording():
                               capture_output=True, text=True, check=False, timeout=120)
         lines.kill()
     assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+
+
+@pytest.mark.parametrize("factor", [0.5, 0.7, 1.4, 2.0])
+def test_force_and_acceleration_tell_a_wrong_mass(tmp_path, factor):
+    """With a factor of 2 the fit had no end in sight, and with half the sensitivity of a force its numbers were told."""
+    recording = read_recording(write(tmp_path / "a.csv", noise=0.01, names=("force_n", "acceleration_m_s2")), None, None)
+    with pytest.raises(PeterkaFileError, match="has forces in its impacts of .* times the mass times the acceleration") as refusal:
+        fit(recording, factor * MASS)
+    assert float(str(refusal.value).split("impacts of ")[1].split()[0]) == pytest.approx(1 / factor, rel=0.02)
+    refuse_contradicting(recording, look(recording), 1.1 * MASS)
+
+
+def test_errors_as_told_decide_whether_a_stop_is_told(tmp_path):
+    """Not those that neighbouring residuals would have if they had nothing in common."""
+    found = fit(read_recording(write(tmp_path / "a.csv", noise=0.02), None, None), MASS, {"gap": 0.0})
+    alike = 0.999
+    error = found.solved.error("stiffness")
+    assert error < UNKNOWN < error * np.sqrt((1 + alike) / (1 - alike))
+    assert telling(replace(found, likeness=0.0)).found is found.found
+    with pytest.raises(PeterkaFileError, match="doesn't tell the stop"):
+        telling(replace(found, likeness=alike))
+
+
+@pytest.mark.parametrize("correlation, cure", [(0.9, "identify again with --damping-ratio"), (-0.9, "identify again with --damping-ratio"), (0.1, "give it here")])
+def test_a_damping_that_is_not_told_is_given_before_what_depends_on_it(correlation, cure):
+    """ki and ci of a sweep belonged to a ratio of 0.022; with the true one of 0.0076 in its file the rig was off by 4 % of the force."""
+    sizes = np.array([5e4, 20.0, 0.016])
+    likeness = np.array([[1, 0, correlation], [0, 1, 0], [correlation, 0, 1]])
+    keys = (numbers_found.STIFFNESS, numbers_found.DAMPING, numbers_found.DAMPING_RATIO)
+    found = numbers_found.Identified(1.0, dict(zip(keys, (1e6, 500.0, 0.022))), likeness * np.outer(sizes, sizes), {})
+    line = next(line for line in rig_text(found, ["a.csv"]).splitlines() if "damping_ratio" in line)
+    assert "doesn't tell better than 0.022 ± 0.016: " in line and cure in line

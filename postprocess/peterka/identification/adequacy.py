@@ -12,6 +12,7 @@ from scipy.stats import f, norm
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
+from .first_guess import Guess
 from .problem import SHARP
 from .recording import Recording
 from .solve import Solved, settle
@@ -21,7 +22,29 @@ CHANCE = 1e-6  # significance level below which residuals are not noise
 LEAST_LEFT = 3e-4  # of the hardest peak; no sensor resolves less
 LEAST_SWING = 0.01  # of a signal's range: smaller residuals between impacts are ignored
 FEWEST = 20  # residuals for a test
+NEAR_TOP = 0.5  # of the hardest peak: samples above it are compared
+CONTRADICTION = 1.25  # ratio of force to mass times acceleration, or its inverse; other modes of the hammer make some of it, too
 ADVICE = "cut out one release with --from and --to; where the cart moves, give it as --driven"
+
+
+def refuse_contradicting(recording: Recording, guess: Guess, mass: float) -> None:
+    """Raises PeterkaFileError where force and acceleration in the impacts aren't in the ratio of the mass [kg]: against the stop's push the
+    springs hardly count."""
+    if not set(SHARP) <= recording.signals.keys():
+        return
+    tops = np.concatenate([np.arange(pulse.first, pulse.last) for pulse in guess.pulses])
+    force, push = (guess.signs[name] * factor * (np.asarray(recording.signals[name][tops], dtype=float) - guess.offsets[name])
+                   for name, factor in (("force", 1.0), ("acceleration", -mass)))
+    seen = np.isfinite(force) & np.isfinite(push)
+    seen &= force > NEAR_TOP * np.max(force[seen], initial=0)
+    size = float(np.sum(push[seen]**2))
+    if not size > 0:
+        return
+    ratio = abs(float(np.sum(force[seen] * push[seen]))) / size
+    noise = np.hypot(guess.noise["force"], ratio * mass * guess.noise["acceleration"]) / np.sqrt(size)
+    if abs(np.log(max(ratio, 1e-300))) > np.log(CONTRADICTION) + 4 * noise:
+        raise PeterkaFileError(f"{recording.path} has forces in its impacts of {ratio:.3g} times the mass times the acceleration, {mass:.4g} kg: the mass, or "
+                          "the sensitivity of a sensor, is wrong, or the hammer isn't one mass there")
 
 
 def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impacts: int, given: Mapping[str, float]) -> None:

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..errors import PeterkaFileError
+from .adequacy import refuse_contradicting
 from .first_guess import Guess, look
 from .fit import Fit, finished, telling
 from .problem import SLOW, Problem
@@ -32,6 +33,7 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
     if guess.contact < SEEN:
         raise PeterkaFileError(f"{recording.path} is too coarse to see the contact: the hardest impact has {guess.contact} samples, and {SEEN} "
                           f"are needed at least; record at {2e-3 * SEEN / guess.contact / recording.step:.3g} kHz or more")
+    refuse_contradicting(recording, guess, mass)
     begun = begin(recording, guess, mass)
     used, unused, weak = [], [], 0
     for impact in begun.impacts:

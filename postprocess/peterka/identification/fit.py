@@ -12,7 +12,7 @@ import numpy as np
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
-from .adequacy import likeness_of, refuse_other_motion
+from .adequacy import likeness_of, refuse_contradicting, refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events, likely
 from .flights_alone import contact_samples, least_stiffness, trusted
@@ -51,6 +51,10 @@ class Fit:
     unused: Sequence[str] = ()
     share: Number | None = None
 
+    def error(self, name: str) -> float:
+        """The standard error of a parameter, as told: with what neighbouring residuals have in common."""
+        return self.solved.error(name) * float(np.sqrt((1 + self.likeness) / (1 - self.likeness)))
+
     def contacts(self) -> list[tuple[float, float]]:
         """(begin, end) of each contact of the motion [s], from the beginning of the recording."""
         problem = self.solved.problem
@@ -73,6 +77,7 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     """The Fit of a Recording over a cart at rest; mass [kg]; `given`: "gap" [m], "omega" [rad/s], "damping_ratio" if known.
     Raises PeterkaFileError if the recording does not determine the stop."""
     given, guess = dict(given or {}), look(recording)
+    refuse_contradicting(recording, guess, mass)
     begun, samples = begin(recording, guess, mass), samples_of(recording, guess)
     starts = likely(from_events(begun, mass, given))
     starts += [Start(omega, begun.impacts[0].speed / omega, {"gap": gap * omega / begun.impacts[0].speed}, np.inf)
@@ -199,7 +204,7 @@ def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequenc
 def telling(fit: Fit) -> Fit:
     """The Fit; raises PeterkaFileError if its errors leave the stop undetermined."""
     recording, found = fit.recording, fit.solved
-    stiffness, ratio = found.error("stiffness"), found.error("stop_ratio")
+    stiffness, ratio = fit.error("stiffness"), fit.error("stop_ratio")
     if stiffness <= UNKNOWN and ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):
         return fit
     raise PeterkaFileError(f"{recording.path} doesn't tell the stop: {_what_is_told(fit)}. Record force or acceleration, with less noise or at a "
@@ -208,7 +213,7 @@ def telling(fit: Fit) -> Fit:
 
 def _what_is_told(fit: Fit) -> str:
     """Of a stop whose errors are too large, in words."""
-    found, stiffness, ratio = fit.solved, fit.solved.error("stiffness"), fit.solved.error("stop_ratio")
+    found, stiffness, ratio = fit.solved, fit.error("stiffness"), fit.error("stop_ratio")
     words = [f"ki = {found.problem.rig(found.value).stiffness:.3g} N/m to {100 * stiffness:.2g} %"] * (stiffness < 1)
     least = least_stiffness(found) if stiffness > UNKNOWN and not found.problem.pushed else None
     words += [f"ki is above {least:.3g} N/m (95 %)"] if least else ["no ki is too small"] * (stiffness >= 1)

@@ -10,6 +10,7 @@ from ..toml import text_of
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 from .words import number_text
 
+TOGETHER = 0.3  # correlation: a damping ratio given later would move the other numbers by more than 0.3 of their errors per error of its own
 KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error is not significant
 
 
@@ -26,7 +27,9 @@ def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | Non
         lines += [_line("damping_ratio", ratio, "")]
     else:
         better = f" better than {number_text(ratio)}" if ratio else " it"
-        lines += [f"# damping_ratio =               what was measured doesn't tell{better}: give it here"]
+        cure = "identify again with --damping-ratio, for the numbers below were found together with it" if (
+            correlation_with_damping(found) > TOGETHER) else "give it here"
+        lines += [f"# damping_ratio =               what was measured doesn't tell{better}: {cure}"]
     written = {"mass_kg", "natural_frequency_hz", "damping_ratio", "law", "amplitude_m", "stiffness_n_per_m", "damping_ns_per_m"}
     others = {table: [f"{key} = {_text(value)}" for key, value in (kept or {}).get(table, {}).items() if key not in written]
               for table in ("hammer", "cart", "contact")}
@@ -48,6 +51,17 @@ def identified_text(found: Identified, sources: Iterable[str]) -> str:
     table = {"of": kept, "mean": [found.values[key] for key in kept], "matrix": found.covariance[np.ix_(places, places)].tolist()}
     return ("# Found by identify.py from " + harmless(", ".join(sources), 400) + ": what was fitted, with its covariance, in SI.\n"
             + text_of({"covariance": table}))
+
+
+def correlation_with_damping(found: Identified) -> float:
+    """The largest correlation of the springs' damping ratio with another number that was fitted; 0 where it wasn't."""
+    keys = list(found.values)
+    if DAMPING_RATIO not in keys:
+        return 0.0
+    at, sizes = keys.index(DAMPING_RATIO), np.sqrt(np.diag(found.covariance))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        correlations = np.nan_to_num(np.delete(found.covariance[at] / (sizes[at] * sizes), at))
+    return float(np.abs(correlations).max(initial=0.0))
 
 
 def told(number: Number) -> bool:
