@@ -34,7 +34,6 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
               const parallel::CellIndex& place) {
     StartCounts& counts = findings.counts;
     ++counts.cells;
-    ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];
     const auto hits = std::ranges::count_if(all, impacts_for_ever);
     const auto without = std::ranges::count_if(all, ends_free_or_pressed);
     counts.mixed += hits > 0 && without > 0 ? 1 : 0;
@@ -42,6 +41,9 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
     const auto found = std::ranges::count_if(all, [](const auto& slot) { return slot.share > 0; });
     const auto here = all.first(static_cast<std::size_t>(found));
     const auto known = all.subspan(here.size());
+    const auto unresolved = std::ssize(here) - std::ranges::count_if(here, is_resolved);
+    ++counts
+          .by_number[std::min(static_cast<std::size_t>(cell.attractors - unresolved), StartCounts::told_apart)];
     const auto known_hits = std::ranges::count_if(known, impacts_for_ever);
     counts.known_hit += known_hits > 0 ? 1 : 0;
     counts.known_free += std::ranges::any_of(known, ends_free_or_pressed) ? 1 : 0;
@@ -59,13 +61,20 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
         counts.lives.add(each, place.row, place.column);
     }
     add_kick(counts.kicks, all);
-    if (here.size() < 2) return;
-    const AttractorLabel first = label_of(here[0]);
-    const AttractorLabel second = label_of(here[1]);
-    ++findings.pairs[{std::min(first, second), std::max(first, second)}];
+    const auto first = std::ranges::find_if(here, is_resolved);
+    if (first == here.end()) return;
+    const auto second = std::ranges::find_if(first + 1, here.end(), is_resolved);
+    if (second == here.end()) return;
+    const AttractorLabel one = label_of(*first);
+    const AttractorLabel other = label_of(*second);
+    ++findings.pairs[{std::min(one, other), std::max(one, other)}];
 }
 
 }  // namespace
+
+bool is_resolved(const StoredAttractor& attractor) {
+    return is_in_use(attractor) && attractor.regime != Regime::unresolved && attractor.regime != Regime::failed;
+}
 
 void StartCounts::add(const StartCounts& other) {
     std::ranges::transform(by_number, other.by_number, by_number.begin(), std::plus<>());

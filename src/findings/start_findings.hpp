@@ -31,8 +31,9 @@ struct ShortestLife {
 };
 
 struct StartCounts {
-    static constexpr std::size_t told_apart = 8;           // numbers of attractors counted; the last: or more
-    std::array<std::int64_t, told_apart + 1> by_number{};  // cells by their number of attractors
+    static constexpr std::size_t told_apart = 8;  // numbers of attractors counted; the last: or more
+    std::array<std::int64_t, told_apart + 1>
+        by_number{};  // cells by their number of attractors, unresolved ones not counted
     std::int64_t cells = 0;
     std::int64_t mixed = 0;       // cells with motions both with and without impacts
     std::int64_t never_hit = 0;   // cells whose known motions are all resolved, and without impacts
@@ -68,6 +69,9 @@ struct StartFindings {
     StartCounts counts;
     std::map<AttractorPair, std::int64_t> pairs;  // cells
 };
+
+// Whether a slot holds an attractor, not starts about which nothing is claimed.
+[[nodiscard]] bool is_resolved(const quantities::StoredAttractor& attractor);
 
 // Adds the cells of a tile; attractors are given slot by slot, equally many for each cell. Cells not yet
 // computed are skipped.

@@ -5,6 +5,8 @@
 #include <functional>
 #include <map>
 
+#include "findings/start_findings.hpp"
+
 namespace peterka {
 namespace {
 
@@ -29,17 +31,18 @@ GapAttractors find_beside_branches(std::span<const StoredCell> cells,
     const std::int64_t slots = cells.empty() ? 0 : std::ssize(attractors) / std::ssize(cells);
     std::map<MotionClass, Unvisited> beside;
     for (std::int64_t column = 0; column < columns; ++column) {
-        const std::int64_t count = cells[static_cast<std::size_t>(column)].attractors;
-        found.several += count > 1 ? 1 : 0;
-        found.most = std::max(found.most, count);
+        std::int64_t count =
+            cells[static_cast<std::size_t>(column)].attractors;  // found by starts, also those not kept
         bool any = false;
         for (std::int64_t slot = 0; slot < slots; ++slot) {
             const auto& attractor = attractors[static_cast<std::size_t>(slot * std::ssize(cells) + column)];
             const auto is_on = [&](std::int64_t row) {
                 return cells[static_cast<std::size_t>(row * columns + column)].start_attractor == slot;
             };
-            bool visited = !(attractor.share > 0) || attractor.regime == Regime::unresolved ||
-                           attractor.regime == Regime::failed;
+            const bool is_found = attractor.share > 0;
+            const bool is_known = findings::is_resolved(attractor);
+            count += (is_known ? 1 : 0) - (is_found ? 1 : 0);
+            bool visited = !is_known;
             for (std::int64_t row = 0; row < rows; ++row) visited = visited || is_on(row);
             if (visited) continue;
             any = true;
@@ -53,6 +56,8 @@ GapAttractors find_beside_branches(std::span<const StoredCell> cells,
                 entry.beside_its_like = entry.beside_its_like || motion_class(branch) == motion;
             }
         }
+        found.several += count > 1 ? 1 : 0;
+        found.most = std::max(found.most, count);
         found.with_unvisited += any ? 1 : 0;
     }
     for (const auto& [motion, entry] : beside) found.unvisited.push_back(entry);

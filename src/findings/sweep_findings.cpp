@@ -103,7 +103,7 @@ std::vector<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindi
     std::vector<Stretch> found;
     std::optional<Stretch> open;
     const auto close = [&] {
-        if (open && open->last > open->first) found.push_back(*open);
+        if (open) found.push_back(*open);
         open.reset();
     };
     for (std::int64_t i = 0; i < std::ssize(up.cells); ++i) {

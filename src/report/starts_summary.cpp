@@ -39,11 +39,11 @@ std::string attractor_in_words(const AttractorLabel& label) {
 
 std::string numbers(const StartCounts& counts) {
     std::string text = "  attractors on which they end:";
-    for (std::size_t n = 1; n < counts.by_number.size(); ++n) {
+    for (std::size_t n = 0; n < counts.by_number.size(); ++n) {
         if (counts.by_number[n] == 0) continue;
-        text += fmt::format("{} {}{}: {}", text.ends_with(':') ? "" : ",", n,
-                            n == StartCounts::told_apart ? " or more" : "",
-                            readable_share(counts.by_number[n], counts.cells));
+        text += fmt::format(
+            "{} {}{}: {}", text.ends_with(':') ? "" : ",", n == 0 ? "none that is resolved" : std::to_string(n),
+            n == StartCounts::told_apart ? " or more" : "", readable_share(counts.by_number[n], counts.cells));
     }
     return text + "\n";
 }

@@ -72,10 +72,14 @@ class Words {
         std::ranges::sort(widest, {}, &Stretch::first);
         std::string text;
         for (const Stretch& stretch : widest) {
-            text += fmt::format("{}{} to {}, width {}: {}", text.empty() ? "" : next_line,
-                                at_axis(value(stretch.first)), at_axis(value(stretch.last)),
-                                value_in_words(scene_, key_, value(stretch.last) - value(stretch.first)),
-                                motions_along(up, down, stretch));
+            const std::string where =
+                stretch.first == stretch.last
+                    ? fmt::format("{} alone", at_axis(value(stretch.first)))
+                    : fmt::format("{} to {}, width {}", at_axis(value(stretch.first)),
+                                  at_axis(value(stretch.last)),
+                                  value_in_words(scene_, key_, value(stretch.last) - value(stretch.first)));
+            text +=
+                fmt::format("{}{}: {}", text.empty() ? "" : next_line, where, motions_along(up, down, stretch));
         }
         if (found.size() > widest.size())
             text += fmt::format("{}and {} narrower", next_line, found.size() - widest.size());
@@ -111,18 +115,19 @@ class Words {
 
   private:
     [[nodiscard]] std::string unvisited(const GapAttractors& found) const {
-        if (found.unvisited.empty()) return "nothing that the starts found";
+        if (found.unvisited.empty()) return "nothing that is known";
         std::string text = fmt::format(
             "at {}:", found.with_unvisited == 1 ? "1 point" : readable_count(found.with_unvisited) + " points");
         for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
             const Unvisited& each = found.unvisited[i];
-            text += fmt::format("{}{} {}, up to {:.3g} % of the starts", i == 0 ? " " : "," + next_line,
-                                (each.beside_its_like ? "another " : "") + name_of(each.motion),
-                                each.first == each.last
-                                    ? over(each.first, each.last)
-                                    : fmt::format("at {} points from {}", readable_count(each.points),
-                                                  over(each.first, each.last)),
-                                100 * each.largest_share);
+            text += fmt::format(
+                "{}{} {}, {}", i == 0 ? " " : "," + next_line,
+                (each.beside_its_like ? "another " : "") + name_of(each.motion),
+                each.first == each.last ? over(each.first, each.last)
+                                        : fmt::format("at {} points from {}", readable_count(each.points),
+                                                      over(each.first, each.last)),
+                each.largest_share > 0 ? fmt::format("up to {:.3g} % of the starts", 100 * each.largest_share)
+                                       : "known, though no start found it");
         }
         if (found.unvisited.size() > most_listed)
             text += fmt::format(" and {} more", found.unvisited.size() - most_listed);

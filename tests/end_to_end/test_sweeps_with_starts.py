@@ -228,9 +228,10 @@ def test_what_a_branch_ends_on_is_one_of_them_though_no_start_found_it(tmp_path,
 def test_the_summary_tells_what_branches_miss(tmp_path, sweep_file):
     """Recounted from the file."""
     with h5py.File(sweep_file) as file:
-        share, mine = file["basin_share"][:, 2], file["start_attractor"][2:]
-        several = int((file["attractors"][2] > 1).sum())
-        missed = sum(any(share[slot, column] > 0 and slot not in mine[:, column] for slot in range(len(share)))
+        regime, mine = file["attractor_regime"][:, 2], file["start_attractor"][2:]
+        known = np.isin(regime, [0, 1, 2, 3])  # also those that no start found; not the unresolved
+        several = int((known.sum(axis=0) > 1).sum())
+        missed = sum(any(known[slot, column] and slot not in mine[:, column] for slot in range(len(known)))
                      for column in range(POINTS))
     jobs.write(tmp_path, sweep())
     shutil.copy(sweep_file, tmp_path / "job.h5")

@@ -79,6 +79,22 @@ TEST(StartFindings, UnresolvedMotionsAreNeitherWithImpactsNorWithout) {
     EXPECT_EQ(findings.counts.mixed, 0);
     EXPECT_EQ(findings.counts.never_hit, 1);
     EXPECT_EQ(findings.counts.known_free, 0);
+    EXPECT_EQ(findings.counts.by_number[0], 1);
+    EXPECT_EQ(findings.counts.by_number[1], 3);
+    EXPECT_EQ(findings.counts.by_number[2], 1);
+    EXPECT_EQ(findings.pairs.size(), 1U);
+}
+
+TEST(StartFindings, PairsAreOfTheLargestSharesThatAreResolved) {
+    const StoredAttractor unresolved{.regime = Regime::unresolved, .share = 0.5};
+    Row row;
+    row.add(0, {unresolved, striking, swinging_free});
+    row.add(0, {striking, unresolved});
+    StartFindings findings;
+    row.add_to(findings);
+    const AttractorLabel of_orbit{Regime::periodic, 1, 1};
+    const AttractorLabel of_swing{Regime::no_impact, 1, 0};
+    EXPECT_EQ(findings.pairs, (std::map<AttractorPair, std::int64_t>{{{of_swing, of_orbit}, 1}}));
 }
 
 TEST(StartFindings, AreSumsOverTheTiles) {

@@ -75,13 +75,36 @@ TEST(SweepAttractors, APointCountsOnceForALabel) {
     EXPECT_EQ(found.unvisited.front().largest_share, 0.3);
 }
 
+// What is known without a start that found it, such as the swing beside 1/2, is one more at its point.
+TEST(SweepAttractors, OneThatNoStartFoundCounts) {
+    StoredAttractor known = swinging;
+    known.share = 0;
+    const std::vector<StoredAttractor> attractors{loop(1, 2, 1), loop(1, 2, 1), known, StoredAttractor{}};
+    const GapAttractors found = find_beside_branches(std::vector{on_slot(0, 1), on_slot(0, 1)}, attractors, 2);
+    EXPECT_EQ(found.several, 1);
+    EXPECT_EQ(found.most, 2);
+    ASSERT_EQ(found.unvisited.size(), 1U);
+    EXPECT_EQ(found.unvisited.front().motion.regime, Regime::no_impact);
+    EXPECT_EQ(found.unvisited.front().points, 1);
+    EXPECT_EQ(found.unvisited.front().largest_share, 0);
+}
+
+// Of five that starts found two have no slot.
+TEST(SweepAttractors, OnesThatAreNotKeptCount) {
+    const std::vector<StoredAttractor> attractors{loop(1, 1, 0.5), loop(1, 2, 0.3), swinging};
+    EXPECT_EQ(find_beside_branches(std::vector{on_slot(0, 5)}, attractors, 1).most, 5);
+}
+
 // Nothing is claimed about these; empty slots hold no attractor.
 TEST(SweepAttractors, WithoutAProofCountNowhere) {
     const std::vector<StoredCell> cells{on_slot(0, 2)};
     StoredAttractor unresolved = loop(0, 0, 0.1);
     unresolved.regime = Regime::unresolved;
     const std::vector<StoredAttractor> attractors{swinging, unresolved, StoredAttractor{}};
-    EXPECT_EQ(find_beside_branches(cells, attractors, 1).with_unvisited, 0);
+    const GapAttractors found = find_beside_branches(cells, attractors, 1);
+    EXPECT_EQ(found.with_unvisited, 0);
+    EXPECT_EQ(found.several, 0);
+    EXPECT_EQ(found.most, 1);
 }
 
 }  // namespace

@@ -101,10 +101,10 @@ TEST(SweepFindings, EachStretchOfHysteresisIsFound) {
     const StoredCell two = orbit(2, 1, 50);
     const StoredCell other = orbit(1, 1, 41);  // by 2.4 %
     EXPECT_EQ(ends({one, one, one, one, one, one, one}, {two, two, one, other, two, one, two}),
-              (Ends{{0, 1}, {3, 4}}));  // the last one is a single point
+              (Ends{{0, 1}, {3, 4}, {6, 6}}));
     EXPECT_EQ(ends({one, one, one, one}, {two, unresolved, other, one}), (Ends{{0, 2}}));
     EXPECT_EQ(ends({one, one, one, one}, {unresolved, two, two, unresolved}), (Ends{{1, 2}}));
-    EXPECT_EQ(ends({one, unresolved, one}, {two, unresolved, one}), Ends{});
+    EXPECT_EQ(ends({one, unresolved, one}, {two, unresolved, one}), (Ends{{0, 0}}));
     EXPECT_EQ(ends({one, one, one, one, one}, {two, two, chaos(60), two, two}), (Ends{{0, 1}, {3, 4}}));
 }
 
@@ -176,6 +176,9 @@ TEST(SweepSummary, TellsEachHysteresisAndTheMotionsAtItsEnds) {
     const StoredCell strong = orbit(1, 1, 60);
     const std::string text =
         told({one, one, one, one, one, one}, {orbit(2, 1, 50), orbit(3, 2, 50), one, one, strong, strong});
+    EXPECT_NE(told({one, one, one, one, one, one}, {one, one, one, orbit(2, 1, 50), one, one})
+                  .find(" 1.6 (7.2 Hz) alone: up 1/1, down 2/1\n"),
+              std::string::npos);
     for (const char* words : {"1 (4.5 Hz) to 1.2 (5.4 Hz), width 0.2 (0.9 Hz): up 1/1, down 2/1 to 3/2\n",
                               "1.8 (8.1 Hz) to 2 (9 Hz), width 0.2 (0.9 Hz): 1/1, at 1.8 (8.1 Hz) up 40 "
                               "weights, down 60 weights\n"}) {
