@@ -24,7 +24,8 @@ ATTACKED = {"KelvinVoigt": f"{MAP}, a spring and dashpot", "Rigid0": f"{MAP}, a 
             "Rigid08": f"{MAP}, a rigid stop, r 0.8",
             "crossings": f"where curves have four gaps, the paper's stop, a rigid one, r 0.7, and {RIGS} random rigs"}
 ELSEWHERE = "refused; all others hold there, as an engine finds"
-TOLD = {"another gap, stiffness or damping": ELSEWHERE, "another gap, restitution or damping": ELSEWHERE,
+TOLD = {"another gap, damping or stop": "refused; all others hold there, as curves of that rig tell",
+        "another gap, stiffness or damping": ELSEWHERE, "another gap, restitution or damping": ELSEWHERE,
         "the orbit of half the period": "unstable and refused; all others stable by an engine, too",
         "two events left out": "solve the equations and are refused by the check of the legs",
         "a bounce left out": "solve the equations and are refused by the check of the legs"}

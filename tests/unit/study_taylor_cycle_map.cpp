@@ -138,7 +138,7 @@ TEST(TaylorCycleMap, AChatterEndsInStickingAndCountsOnce) {
     EXPECT_TRUE(cycle.touched);
     EXPECT_TRUE(std::isnan(cycle.peak_force));
     // the motion after sticking depends on the phase of release alone
-    EXPECT_EQ(map(x + State<Real>(-1e-6L, 1e-6L)).end, cycle.end);
+    EXPECT_LT((map(x + State<Real>(-1e-6L, 1e-6L)).end - cycle.end).norm(), 1e-15L);
     EXPECT_LE(cycle.impacts, 3);
 
     EXPECT_EQ(TaylorCycleMap(rigid(0.3L, 0, 1 - 1e-9L))({0, 1e-6L}).outcome, Outcome::too_many_events);
