@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "report/summary_parts.hpp"
@@ -22,6 +25,12 @@ StoredCell free_motion(bool jump = false) {
 }
 StoredCell chaos(double force) {
     return {.regime = Regime::chaotic, .peak_force = force};
+}
+
+StoredCell rigid_orbit(double speed, bool jump = false) {
+    StoredCell cell = orbit(1, 1, std::nan(""), jump);
+    cell.impact_speed = speed;
+    return cell;
 }
 
 BranchFindings rising() {
@@ -108,6 +117,17 @@ TEST(SweepFindings, EachStretchOfHysteresisIsFound) {
     EXPECT_EQ(ends({one, one, one, one, one}, {two, two, chaos(60), two, two}), (Ends{{0, 1}, {3, 4}}));
 }
 
+// Which has no peak force.
+TEST(SweepFindings, HysteresisOnARigidStopIsThatOfTheImpactSpeed) {
+    const auto branch = [](double speed) {
+        return find_in_branch({0, job::Direction::up}, {rigid_orbit(speed), rigid_orbit(speed)});
+    };
+    const auto found = find_hysteresis(branch(1), branch(1.02));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].last, 1);
+    EXPECT_TRUE(find_hysteresis(branch(1), branch(1.005)).empty());
+}
+
 TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;
@@ -184,6 +204,31 @@ TEST(SweepSummary, TellsEachHysteresisAndTheMotionsAtItsEnds) {
                               "weights, down 60 weights\n"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     }
+}
+
+// Those next to a point without a known speed have no size, and are told only if there is room for them.
+TEST(SweepSummary, ListsTheLargestJumpsOnARigidStopByTheirImpactSpeeds) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.contact = job::Restitution{0.5};
+    job.columns = {.from = 1.0, .to = 1.8, .points = 9};
+    job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::up};
+    const auto told = [&](const std::vector<double>& speeds) {
+        std::vector<StoredCell> cells;
+        for (const double speed : speeds) cells.push_back(rigid_orbit(speed, !cells.empty()));
+        const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, cells)};
+        return sweep_summary(scene::Scene(job), branches);
+    };
+    const double unknown = std::nan("");
+    // the jumps: 5, unknown, unknown, 1, 2, 3, 4, 6
+    const std::string text = told({7, 2, unknown, 1, 2, 4, 1, 5, 11});
+    for (const char* words :
+         {"1.05 (4.725 Hz) from 1/1 (7 m/s) to 1/1 (2 m/s)\n", "from 1/1 (2 m/s) to 1/1 (4 m/s)\n",
+          "from 1/1 (4 m/s) to 1/1 (1 m/s)\n", "from 1/1 (1 m/s) to 1/1 (5 m/s)\n",
+          "from 1/1 (5 m/s) to 1/1 (11 m/s)\n", "and 3 smaller ones\n"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    }
+    EXPECT_NE(told({7, 2, unknown}).find("from 1/1 (2 m/s) to 1/1\n"), std::string::npos);
 }
 
 // Each gap's starts follow its last branch.
