@@ -235,6 +235,26 @@ TEST(Curves, DerivativesAreThoseOfTheEquations) {
     expect_derivatives(Rig(other), edge(other, {2, 0.5}, {3, 0.5}));
 }
 
+// With r = 0 the hammer leaves the stop from rest, as a grazing does; it begins to stick where it has no
+// acceleration there: at gap = eta^2 sin(theta), with eta tan(pi / eta) tan(theta) = 1 for an undamped flight
+// of one cycle from rest to the next impact.
+TEST(Curves, NoGrazingIsWhereAHammerBeginsToStick) {
+    auto rig = rigid_rig();
+    rig.damping_ratio = 0;
+    rig.contact = scene::Restitution<double>{0};
+    for (const double eta : {1.7, 2.0, 2.3}) {
+        const double theta = std::numbers::pi + std::atan(1 / (eta * std::tan(std::numbers::pi / eta)));
+        const double gap = eta * eta * std::sin(theta);
+        const auto orbit = orbit_at<trajectory::RigidExactMap<double>>(rig, {eta, gap + 0.4}, 1, {-1, eta});
+        ASSERT_TRUE(orbit);
+        const FollowedOrbit followed = follow(Rig(rig), *orbit, {eta, gap - 0.4}, window);
+        EXPECT_FALSE(followed.reached);
+        EXPECT_FALSE(followed.seed);
+        // beyond, the flight enters the stop: as deep as the cube of the distance, and seen from 1e-9 on
+        EXPECT_NEAR(followed.last.row, gap, 2e-3);
+    }
+}
+
 TEST(Curves, AMotionThatIsNoOrbitGivesNone) {
     scene::Oscillator<double> rig = rigid_rig();
     EXPECT_FALSE(stable_orbit_near(Rig(rig), {3, 4}, {-4, -3}, 1, window));     // never touches
