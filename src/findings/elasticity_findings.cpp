@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "job/cell_numbers.hpp"
@@ -74,7 +75,9 @@ std::optional<double> median_of(const ElasticityFindings& findings, std::int32_t
     std::int64_t passed = 0;
     for (auto bin = first; bin != last; ++bin) {
         passed += bin->second;
-        if (2 * passed >= cells) return middle_of(bin->first.bin);
+        if (2 * passed < cells) continue;
+        const double lower = middle_of(bin->first.bin);
+        return 2 * passed > cells ? lower : (lower + middle_of(std::next(bin)->first.bin)) / 2;
     }
     return std::nullopt;
 }

@@ -84,6 +84,19 @@ def test_the_kick_is_that_of_the_likeliest_orbit(tmp_path):
     assert colours[0][1:] == [shade(1), shade(0.25)]  # 0.5 and 0.125 m/s; the scale ends at the largest
 
 
+def test_a_scale_has_an_arrow_only_where_kicks_are_beyond_it(tmp_path):
+    path = write_map(tmp_path / "a.h5", [[orbit(1, 1)] * 40] * 40)
+    kicks = np.full((40, 40), 0.25)
+    with SealedFile(path, "r+") as file:
+        file["critical_kick"], file["critical_kick_tried"] = kicks, kicks
+    for largest, arrow in ((0.25, "neither"), (9.0, "max")):
+        with SealedFile(path, "r+") as file:
+            file["critical_kick"][0, 0] = largest
+        with PeterkaFile(path) as file:
+            bars = [ax._colorbar for ax in attractor_maps.draw_kick(file).figure.axes if hasattr(ax, "_colorbar")]
+        assert [bar.extend for bar in bars] == [arrow]
+
+
 def test_a_kick_that_was_not_found_says_whether_another_motion_is_known(tmp_path):
     with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
         colours, drawn = seen(file, attractor_maps.draw_kick(file), tmp_path)

@@ -65,6 +65,14 @@ TEST(ElasticityFindings, MediansAreOfEachLabelAndNumber) {
     EXPECT_TRUE(std::isnan(of.median(1, 1, of.stiffness, OfElasticities::share)));  // without [uncertainty]
 }
 
+TEST(ElasticityFindings, TheMedianOfAnEvenNumberIsBetweenTheMiddleTwo) {
+    OfTwo of;
+    of.add({with_elasticities(1, 1, 0.5, 1), with_elasticities(1, 1, 0.7, 1), with_elasticities(1, 1, 4, 2),
+            with_elasticities(1, 1, -9, 2)});
+    EXPECT_NEAR(of.median(1, 1, of.stiffness), 0.6, 0.6e-3);
+    EXPECT_NEAR(of.median(1, 1, of.damping), 1.5, 1.5e-3);
+}
+
 TEST(ElasticityFindings, OtherMotionsAndCellsWithoutElasticitiesDoNotCount) {
     OfTwo of;
     StoredCell chaotic = with_elasticities(0, 0, 8, 8);

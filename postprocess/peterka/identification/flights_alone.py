@@ -24,7 +24,7 @@ FEWEST_IN_CONTACT = 2.5  # steps: shorter contacts have two samples more often t
 FEW_IN_CONTACT = 8.0  # steps: of longer ones, a filter that rings changes the numbers by less than other things do
 RINGS = 0.01  # significance level; where noise is taken for it, the flights tell the same numbers with larger errors
 BESIDE = 4.0  # steps before a touch and after a release in which a filter rings
-AT_TOUCH = 0.5  # steps: the fit may have a sample closer to a touch before it instead of after
+AT_TOUCH = 0.25  # steps: a sample closer to a touch may be before it or after
 SEEN_IN_FLIGHT = {"displacement", "acceleration"}  # a force is 0 there
 GROWTH = 1.645**2  # of -2 ln likelihood, for 95 % on one side
 RUNG, LAST_RUNG = 0.5, 0.02  # of ln ki
@@ -69,7 +69,8 @@ def trusted(path: Path, found: Sequence[Solved]) -> list[Solved]:
     if samples < FEWEST_IN_CONTACT:
         why = f"is too coarse to see the contact, which lasts for about {samples:.2g} samples"
     elif ringing(found[0]) < RINGS:
-        why = f"rings beside its contacts, which last for about {samples:.2g} samples, as a logger's filter does"
+        why = (f"rings beside its contacts, which last for about {samples:.2g} samples, as a logger's filter does, or noise hides on which side of "
+               "a sample a touch lies")
     else:
         return list(found)
     if not SEEN_IN_FLIGHT & set(found[0].problem.names):

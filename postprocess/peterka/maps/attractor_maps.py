@@ -207,7 +207,7 @@ def _with_scale(figure: Figure, ax: Axes, bar_ax: Axes, file: PeterkaFile, reduc
                 told: Sequence[str] = ()) -> Axes:
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=top, rasterized=True)
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="neither" if top == 1 else "max")
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max" if np.nanmax(reduced.image, initial=0.0) > top else "neither")
     bar.outline.set_linewidth(0.6)
     bar.set_label(label, fontsize=8)
     return _finished(figure, ax, file, told)

@@ -48,7 +48,7 @@ def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
     shown = ma.masked_invalid(reduced.image) * (factor or 1)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, shown, cmap=scale_colours(), vmin=0,
                          vmax=float(np.percentile(shown.compressed(), TOP)) or 1, rasterized=True)
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max")
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max" if shown.max() > mesh.norm.vmax else "neither")
     bar.outline.set_linewidth(0.6)
     bar.set_label(words, fontsize=8)
     axes.label_axes(ax, file)
