@@ -259,10 +259,11 @@ def test_a_job_that_tells_no_rigs_is_refused(tmp_path):
 @pytest.mark.parametrize("table, words", [
     ("[uncertainty.contact]\nstiffness_n_per_m = { relative = 0.03 }", "stop stiffness ±3 %"),
     ("[uncertainty.hammer]\nnatural_frequency_hz = { standard_deviation = 0.02 }", "natural frequency ±0.02 Hz"),
+    ("[uncertainty.operating_point]\ngap_m = { standard_deviation = 8.29e-7 }", "offset of gap ±829 nm"),
     ("[uncertainty.cart]\namplitude_m = { from = 8e-4, to = 9e-4 }", "cart amplitude 0.8 to 0.9 mm"),
     ("[uncertainty.operating_point]\ngap_m = { from = -1e-4, to = 1e-4 }", "offset of gap -0.1 to 0.1 mm"),
     ('[uncertainty.covariance]\nof = ["contact.stiffness_n_per_m", "contact.damping_ns_per_m"]\nmean = [1.0, 1.0]\n'
-     "matrix = [[1e8, 0.0], [0.0, 100.0]]", "stop stiffness ±1e+04 N/m, stop damping ±10 N s/m, together as identified"),
+     "matrix = [[1e8, 0.0], [0.0, 100.0]]", "stop stiffness ±10 kN/m, stop damping ±10 N s/m, together as identified"),
     ('[uncertainty.covariance]\nof = ["contact.stiffness_n_per_m"]\nmatrix = [["x"]]\n[uncertainty.contact]\nx = 3\n', ""),
     ('[uncertainty.covariance]\nof = ["contact.stiffness_n_per_m"]\nmatrix = [[-1e8]]\n', ""),
 ])

@@ -20,12 +20,14 @@ from ..files.harmless import harmless
 from ..files.job_numbers import UnreadableJob, number_of, tables_of
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, PERIODIC
+from ..plotting import units
 from ..plotting.coordinates import label, without_symbol
 
 OUTCOMES = {"outcome_regime": INTEGER, "outcome_impacts": INTEGER, "outcome_period": INTEGER, "outcome_probability": REAL}
 QUANTILES = (5, 50, 95)  # %
 QUANTITIES = {"force": "force_q{:02}_ratio", "speed": "speed_q{:02}"}
 MOST = 64  # slots
+LEAST_PLAIN = 1e-3  # of numbers with a unit: smaller ones take a prefix
 LONGEST = 400  # letters of what is uncertain
 UNITS = {"gap_m": (1e3, "mm"), "cart_amplitude_m": (1e3, "mm")}  # told in other units than those of the job
 
@@ -132,5 +134,9 @@ def _spread(path: str, spread: Mapping[str, float]) -> str:
     if "relative" in spread:
         return f"{words} ±{100 * spread['relative']:.3g} %"
     if "standard_deviation" in spread:
-        return f"{words} ±{factor * spread['standard_deviation']:.3g} {unit}".rstrip()
+        deviation = spread["standard_deviation"]
+        text = f"{factor * deviation:.3g} {unit}".rstrip()
+        if unit and ("e" in text or 0 < factor * deviation < LEAST_PLAIN):
+            text = units.amount(deviation, "m" if name in UNITS else unit, 3)
+        return f"{words} ±{text}"
     return f"{words} {factor * spread.get('from', np.nan):.4g} to {factor * spread.get('to', np.nan):.4g} {unit}".rstrip()
