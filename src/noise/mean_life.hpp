@@ -3,9 +3,10 @@
 // It is home where, at forcing phase 0, it is about as near to its orbit as disturbances keep it
 // (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, at
 // most 2000, and would not return within 500 cycles, or twenty times its relaxation time, without disturbances.
-// Its mean life is the mean time until then, counted up to when it would first not have returned. Where
-// disturbances are so strong that states at a quarter of a standard deviation would not return, it could be
-// home by chance, and has left as soon as it would not return.
+// Its mean life is the mean time until then, counted up to when, since it was last home or seen to return, it
+// would no longer have returned; excursions from which disturbances brought it home don't count. Where
+// disturbances are so strong that states at half a standard deviation would not return, it could be home by
+// chance, and has left as soon as it would not return.
 //
 // Where it leaves often, many lives are followed. Where it leaves rarely, forward flux sampling (Allen, Warren
 // & ten Wolde 2005, Phys. Rev. Lett. 94, 018104; a splitting method after Kahn & Harris 1951) multiplies the
