@@ -12,6 +12,7 @@ from identification_coverage import pulls_of
 from peterka.errors import PeterkaFileError
 from peterka.identification import twins
 from peterka.identification.contact_pulse import pulse
+from peterka.identification.adequacy import refuse_contradicting
 from peterka.identification.first_guess import look
 from peterka.identification.fit import fit, release_problem
 from peterka.identification.flights import Start
@@ -53,6 +54,13 @@ def test_two_rigs_that_few_samples_dont_tell_apart_are_named():
     """The fit of the true one doesn't go on through the impacts that weren't detected, which once ruled it out, and not the other one."""
     with pytest.raises(PeterkaFileError, match="doesn't tell two rigs apart: springs of 21.9. Hz .*, and springs of 30.* Hz"):
         fit(recorded(("force",), 0.01, release(3.0)), HAMMER.mass)
+
+
+@pytest.mark.parametrize("stiffness", [2e5, 3e5, 5e5, 1.7e7])
+def test_springs_that_push_back_beside_a_soft_stop_are_no_wrong_mass(stiffness):
+    time, columns = simulate(Hammer(stiffness=stiffness, damping=20.0, gap=3e-3), 0.3, 2e4)
+    recording = Recording(Path("simulated"), 0.0, time[1], noisy(columns, ("force", "acceleration"), 0.002, 1))
+    refuse_contradicting(recording, look(recording), Hammer().mass)
 
 
 def test_a_force_has_no_flights():

@@ -24,12 +24,13 @@ LEAST_SWING = 0.01  # of a signal's range: smaller residuals between impacts are
 FEWEST = 20  # residuals for a test
 NEAR_TOP = 0.5  # of the hardest peak: samples above it are compared
 CONTRADICTION = 1.25  # ratio of force to mass times acceleration, or its inverse; other modes of the hammer make some of it, too
+SPRINGS_SHARE = 4.0  # of a contact over the time between impacts: more than springs take from the force at gaps up to 0.89 of the swing
 ADVICE = "cut out one release with --from and --to; where the cart moves, give it as --driven"
 
 
 def refuse_contradicting(recording: Recording, guess: Guess, mass: float) -> None:
-    """Raises PeterkaFileError where force and acceleration in the impacts aren't in the ratio of the mass [kg]: against the stop's push the
-    springs hardly count."""
+    """Raises PeterkaFileError where force and acceleration in the impacts aren't in the ratio of the mass [kg]. The springs push back, too, so that the
+    force is the less, the longer a contact is beside the time between impacts."""
     if not set(SHARP) <= recording.signals.keys():
         return
     tops = np.concatenate([np.arange(pulse.first, pulse.last) for pulse in guess.pulses])
@@ -42,7 +43,10 @@ def refuse_contradicting(recording: Recording, guess: Guess, mass: float) -> Non
         return
     ratio = abs(float(np.sum(force[seen] * push[seen]))) / size
     noise = np.hypot(guess.noise["force"], ratio * mass * guess.noise["acceleration"]) / np.sqrt(size)
-    if abs(np.log(max(ratio, 1e-300))) > np.log(CONTRADICTION) + 4 * noise:
+    apart = np.diff([pulse.top for pulse in guess.pulses])
+    springs = min(1.0, SPRINGS_SHARE * guess.contact / float(apart.min())) if len(apart) else 1.0
+    widest = CONTRADICTION * np.exp(4 * noise)
+    if not (1 - springs) / widest <= ratio <= widest:
         raise PeterkaFileError(f"{recording.path} has forces in its impacts of {ratio:.3g} times the mass times the acceleration, {mass:.4g} kg: the mass, or "
                           "the sensitivity of a sensor, is wrong, or the hammer isn't one mass there")
 
