@@ -149,6 +149,35 @@ double duration_at(const Stepper& stepper, const OrbitPoint& point) {
     return stepper.rig().at(point.place).duration_of(point.orbit.period);
 }
 
+// The next point, if its motion has the same events.
+std::optional<Stepper::Here> same_events_after(const Stepper& stepper, const Stepper::Here& here) {
+    Stepper ahead = stepper;
+    const auto there = ahead.next(here, stepper.step());
+    const bool same = there && !reversed_pair(stepper.rig(), there->point) &&
+                      find_fault(stepper.rig(), there->point).kind != OrbitFault::Kind::pattern;
+    return same ? there : std::nullopt;
+}
+
+// `here` has lost or gained a pair of events. A branch goes on smoothly, but the multipliers beside the birth
+// of a pair change as the square root of the distance, so that a curve of folds or period doublings may turn
+// back there: with the other events it is on the same side. It then goes on where the motion keeps its events.
+// So short a step must have led to the turn that no gap asked for is passed over unseen. False if it wasn't, or
+// if `here` itself doesn't have the events of its motion and there are none such beside it.
+bool goes_on_from_birth(const Stepper& stepper, Stepper::Here& here) {
+    constexpr double longest_at_turn = 1e-4;
+    const bool sound = find_fault(stepper.rig(), here.point).kind != OrbitFault::Kind::pattern;
+    for (const bool turns : {false, true}) {
+        Stepper::Here way = here;
+        if (turns) way.tangent = -way.tangent;
+        const auto there = same_events_after(stepper, way);
+        if (!there) continue;
+        if (turns && stepper.step() > longest_at_turn) return false;
+        here = sound ? way : *there;
+        return true;
+    }
+    return sound;
+}
+
 // Where a pair of events is born, the solutions of the equations turn back with the pair in reverse order: the
 // branch continues without it.
 bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here, std::size_t pair) {
@@ -159,7 +188,7 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
     const auto settled = solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     if (!settled) return false;
     here = ahead_from(stepper, *settled, Stepper::along(from.tangent));
-    return true;
+    return goes_on_from_birth(stepper, here);
 }
 
 }  // namespace
@@ -189,7 +218,7 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
         if ((before > 0) != (after > 0) && std::max(std::abs(before), std::abs(after)) > rounding) return false;
     }
     here = ahead_from(stepper, *settled, ahead);
-    return true;
+    return goes_on_from_birth(stepper, here);
 }
 
 }  // namespace peterka::curves

@@ -86,4 +86,26 @@ std::optional<OrbitPoint> merging_orbit(const Stepper& stepper, const OrbitPoint
     return found;
 }
 
+std::optional<OrbitPoint> merging_fold(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
+    // Where halves are equal, orbits at a period doubling, followed twice over, solve the same equations:
+    // Newton's method goes there from nearby.
+    constexpr int most_halvings = 40;
+    const Eigen::VectorXd apart = difference_of_halves(stepper, from);
+    OrbitPoint low = from;
+    OrbitPoint high = to;
+    for (int halving = 0; halving < most_halvings; ++halving) {
+        const auto middle =
+            solve(stepper.rig(), between(low, high, 0.5), stepper.window(), stepper.conditions());
+        if (!middle || !has_same_events(middle->orbit, from.orbit) || halves_are_equal(stepper, *middle)) break;
+        (difference_of_halves(stepper, *middle).dot(apart) > 0 ? low : high) = *middle;
+    }
+    const auto found = solve(stepper.rig(), mean_of_halves(stepper.rig(), low), stepper.window(),
+                             {Condition::at_multiplier(-1)});
+    if (!found) return std::nullopt;
+    const OrbitPoint twice_over = twice(stepper.rig(), *found);
+    const double step = way_between(stepper.rig(), from, to, stepper.window()).norm();
+    if (way_between(stepper.rig(), from, twice_over, stepper.window()).norm() > 2 * step) return std::nullopt;
+    return twice_over;
+}
+
 }  // namespace peterka::curves

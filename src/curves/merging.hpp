@@ -21,6 +21,11 @@ namespace peterka::curves {
 [[nodiscard]] std::optional<OrbitPoint> merging_orbit(const Stepper& stepper, const OrbitPoint& from,
                                                       const OrbitPoint& to);
 
+// The same on a curve of folds, which ends there: the orbit of 2q cycles, to which that of q cycles has lost
+// its stability at a degenerate period doubling.
+[[nodiscard]] std::optional<OrbitPoint> merging_fold(const Stepper& stepper, const OrbitPoint& from,
+                                                     const OrbitPoint& to);
+
 // The orbit followed twice over, as one of twice the period.
 [[nodiscard]] OrbitPoint twice(const Rig& rig, const OrbitPoint& point);
 

@@ -18,8 +18,8 @@ namespace peterka::curves {
 namespace {
 
 constexpr const char* kind_names[] = {"fold", "period_doubling", "grazing"};
-constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double_grazing", "cusp",
-                                         "inflection"};
+constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double_grazing",
+                                         "cusp",         "inflection",   "generalized_flip"};
 constexpr const char* edge_names[] = {"fold", "period_doubling", "grazing", "none", "unknown"};
 constexpr const char* label_edge_names[] = {"edge", "same_label", "other_start", "narrow", "unknown"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};

@@ -8,6 +8,7 @@
 
 #include "curves/branch_event.hpp"
 #include "curves/inflection.hpp"
+#include "curves/merging.hpp"
 #include "curves/reshape.hpp"
 #include "curves/stroboscopic.hpp"
 
@@ -76,9 +77,11 @@ class HalfCurve {
             const double after = coordinate(there.place, axis) - gap;
             const bool arrives = std::abs(after) <= tiny;
             if (!arrives && (std::abs(before) <= tiny || (before > 0) == (after > 0))) continue;
+            const Condition line = Condition::on_line(moved({}, axis, gap), moved({}, axis, 1));
             const bool same_events = !arrives && has_same_events(here.orbit, there.orbit);
-            const auto found = solve_with(same_events ? between(here, there, before / (before - after)) : there,
-                                          Condition::on_line(moved({}, axis, gap), moved({}, axis, 1)));
+            auto found =
+                motion_with(same_events ? between(here, there, before / (before - after)) : there, line);
+            if (!found && !same_events) found = motion_with(here, line);
             if (!found) continue;
             const CurvePoint at = curve_point(rig_, *found, kind_);
             crossings.push_back({at.place, at.multiplier, at.peak_force, found->orbit});
@@ -105,6 +108,19 @@ class HalfCurve {
         return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
     }
 
+    // The same with the events of the true motion; none if it has a fault.
+    std::optional<OrbitPoint> motion_with(const OrbitPoint& guess, const Condition& condition) const {
+        auto found = solve_with(guess, condition);
+        if (!found || !has_other_events(*found)) return found;
+        const auto changed = with_true_events(rig_, *found);
+        if (!changed || is_same_motion(changed->orbit, found->orbit)) return found;
+        found = solve_with(*changed, condition);
+        return found && has_other_events(*found) ? std::nullopt : found;
+    }
+    [[nodiscard]] bool has_other_events(const OrbitPoint& point) const {
+        return find_fault(rig_, point).kind == OrbitFault::Kind::pattern;
+    }
+
     enum class Step : std::uint8_t { goes_on, ends, unclear };
 
     // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
@@ -120,6 +136,14 @@ class HalfCurve {
                 guess ? solve_with(*guess, Condition::without_acceleration(guess->orbit.grazing())) : guess;
             if (!last || !window_.holds(last->place)) return Step::unclear;
             add_special(SpecialKind::inflection, *last);
+            look_for_crossings(here.point, *last);
+            end = CurveEnd::special;
+            return Step::ends;
+        }
+        if (kind_ == CurveKind::fold && halves_meet(stepper_, here.point, there.point)) {
+            const auto last = merging_fold(stepper_, here.point, there.point);
+            if (!last || !window_.holds(last->place)) return Step::unclear;
+            add_special(SpecialKind::generalized_flip, *last);
             look_for_crossings(here.point, *last);
             end = CurveEnd::special;
             return Step::ends;

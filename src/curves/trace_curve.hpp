@@ -9,15 +9,18 @@
 namespace peterka::curves {
 
 // Codimension-2 points (cusp: Kuznetsov 2004, ch. 9; with grazing: Kowalczyk et al. 2006, Int. J. Bifurcation
-// Chaos 16, 601). Stored as int8; the numbers are part of the file format. The multipliers are never both +-1
-// or a pair on the unit circle: det M < 1 with any dissipation.
+// Chaos 16, 601; generalized period doubling: Kuznetsov 2004, section 9.4). Stored as int8; the numbers are
+// part of the file format. The multipliers are never both +-1 or a pair on the unit circle: det M < 1 with any
+// dissipation.
 enum class SpecialKind : std::int8_t {
-    fold_grazing = 0,    // a multiplier is 1 at a grazing
-    flip_grazing = 1,    // a multiplier is -1 at a grazing
-    double_grazing = 2,  // two simultaneous grazings
-    cusp = 3,            // two folds meet
-    inflection = 4,      // the acceleration vanishes at a grazing, too: a touch from one side of the surface
-                         // becomes one from the other
+    fold_grazing = 0,      // a multiplier is 1 at a grazing
+    flip_grazing = 1,      // a multiplier is -1 at a grazing
+    double_grazing = 2,    // two simultaneous grazings
+    cusp = 3,              // two folds meet
+    inflection = 4,        // the acceleration vanishes at a grazing, too: a touch from one side of the surface
+                           // becomes one from the other
+    generalized_flip = 5,  // a fold of 2q cycles merges with the period doubling of q, which from there on has
+                           // the orbits of 2q cycles on its other side
 };
 
 // Whether labels of the coarse map change at a point of a curve and, if not, why. Stored as int8; the numbers

@@ -19,8 +19,12 @@ namespace peterka::curves {
 namespace {
 
 constexpr std::array kind_words{"fold", "period doubling", "grazing"};
-constexpr std::array special_words{"fold with grazing", "period doubling with grazing", "two grazings", "cusp",
-                                   "grazing without acceleration"};
+constexpr std::array special_words{"fold with grazing",
+                                   "period doubling with grazing",
+                                   "two grazings",
+                                   "cusp",
+                                   "grazing without acceleration",
+                                   "generalized period doubling"};
 
 std::string table_of_curves(const CurveSearchResult& found) {
     struct Row {

@@ -284,3 +284,96 @@ def test_where_a_hammer_begins_to_stick_no_impact_is_gained(tmp_path):
         if len(labels) != 2:
             same.append((frequency, gap, labels))
     assert not same
+
+
+# Two rigs and windows in which curves of folds end or turn. Amplitudes [m] are 8.138204229643042e-3 and 6.307289641278982e-3.
+TURNING = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.05848861591378907
+natural_frequency_hz = 14.646539431763399
+damping_ratio = 0.051624853049025046
+[cart]
+amplitude_m = 0.008138204229643042
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 53322.713646712924
+damping_ns_per_m = 27.135808343317326
+[axes.contact.stiffness_n_per_m]
+from = 1486.0122377938105
+to = 1486012.2377938107
+points = 30
+scale = "log"
+[axes.gap_m]
+from = -0.004069102114821521
+to = 0.024414612688929124
+points = 30
+[operating_point]
+frequency_hz = 38.08100252258484
+[curves]
+max_period = 4
+gap_m = [0.007430180461664097, 0.007431808102510026]  # 0.9130 and 0.9132 A0
+[certificate]
+cells = "all"
+"""
+MERGING = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.45448378645716
+natural_frequency_hz = 8.719614765110757
+damping_ratio = 0.00986177699371123
+[cart]
+amplitude_m = 0.006307289641278982
+[contact]
+law = "restitution"
+coefficient = 0.3484887883098006
+[axes.frequency_hz]
+from = 4.3598073825553785
+to = 39.23826644299841
+points = 30
+[axes.gap_m]
+from = 0.0
+to = 0.03153644820639491
+points = 30
+[curves]
+max_period = 4
+gap_m = [0.011587222068488015, 0.013806171194475839]
+"""
+
+
+def test_folds_turn_back_where_the_stop_begins_to_release_in_between(tmp_path):
+    """Along a fold of 2/4 the stop's force falls to 0 within a contact, at 0.91311 A0 by an independent solver for folds of such a contact. There
+    the curve turns back: before, there are two folds, both proved, and beyond none, where one with the stop pulling was told."""
+    path, _ = compute(tmp_path, TURNING)
+    with h5py.File(path) as file:
+        data = {name: item[()] for name, item in file.items() if name.startswith(("curve_", "crossing_"))}
+        proved = file["crossing_certified"][()]
+    kinds, periods = data["curve_kind"][data["crossing_curve"]], data["curve_period"][data["crossing_curve"]]
+    folds = (kinds == FOLD) & (periods == 4)
+    stiffness, gap = data["crossing_contact_stiffness_n_per_m"], data["crossing_gap_m"]
+    before = np.sort(stiffness[folds & (np.abs(gap - 0.007430180461664097) < 1e-12)])
+    assert before[-2:] == pytest.approx([88018.6328, 88018.9776], abs=1e-3)
+    assert not np.any(folds & (gap > 0.0074318) & (stiffness > 88079.5))
+    assert np.all(proved[folds] == proved[folds][0])
+
+
+def test_a_fold_ends_where_it_merges_with_a_period_doubling(tmp_path):
+    """It was traced on, along the same orbits half a period later, to where it began; all of it was stored twice."""
+    path, said = compute(tmp_path, MERGING)
+    assert "1 generalized period doubling" in said.stdout
+    with h5py.File(path) as file:
+        data = {name: item[()] for name, item in file.items() if name.startswith(("curve_", "crossing_", "special_", "point_"))}
+    at = np.flatnonzero(data["special_kind"] == 5)
+    assert data["special_frequency_hz"][at] == pytest.approx([8.48803], abs=1e-5)
+    curve = data["special_curve"][at[0]]
+    points = slice(data["curve_first"][curve], data["curve_first"][curve] + data["curve_points"][curve])
+    assert data["curve_kind"][curve] == FOLD and 1 in (data["curve_begin"][curve], data["curve_end"][curve])
+    places = np.column_stack([data["point_frequency_hz"][points], data["point_gap_m"][points]])
+    assert len(np.unique(np.round(places, 9), axis=0)) == len(places)
+    own = data["crossing_curve"] == curve
+    assert own.sum() == 2 and len(np.unique(data["crossing_frequency_hz"][own])) == 2
+    doublings = [line for line in np.flatnonzero((data["curve_kind"] == DOUBLING) & (data["curve_period"] == 1))]
+    nearest = min(np.min(np.abs(data["point_gap_m"][(s := slice(data["curve_first"][one], data["curve_first"][one] + data["curve_points"][one]))]
+                                - data["special_gap_m"][at[0]]) / 0.0315
+                         + np.abs(data["point_frequency_hz"][s] - data["special_frequency_hz"][at[0]]) / 35) for one in doublings)
+    assert nearest < 0.02

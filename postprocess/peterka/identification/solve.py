@@ -12,12 +12,12 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..arrays import Integers, Mask, Reals
+from . import touch_steps
 from .motion import Motion
 from .problem import LEAST_NOISE, NO_RIG, SHARP, Problem
 
 ROUNDS = 8  # at most, until the set of samples in contact no longer changes
 NO_JUMP = 100.0  # standard deviations
-SHARP_JUMP, JUMP_OVER_NOISE, JUMP_REACH = 0.85, 10, 4  # of the model's jump; standard deviations; samples
 WITHIN_STEP = 12**-0.5  # standard deviation of a position uniformly distributed within a step
 MANY = 10  # samples of a contact from which two more can be dropped at each touch: one wrongly assigned there misleads the fit
 STAYS = 0.3  # of a step: tolerance on the motion of touches in the last round
@@ -32,8 +32,8 @@ WHITE, FAR = 0.01, 0.01  # standard deviations, and largest change of a paramete
 class Settled:
     """State of a leg: `touches` [s]; `places`: index of the first sample in each contact; `used`: mask of the single samples
     that are not nearest to a touch; `known` and `known_means`: masks of the part before the first excluded impact, without what
-    the problem leaves unseen; `contact`: mask of the single samples in contact; `jumps` {index of a contact: middle [s] of the step in which a recorded
-    signal jumps by as much as the model predicts, so that the touch lies in this step}."""
+    the problem leaves unseen; `contact`: mask of the single samples in contact; `jumps` {index of a contact: middle [s] of the step in which its touch lies}, where
+    samples tell it."""
 
     touches: Reals
     places: Integers
@@ -129,37 +129,18 @@ def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
     for first, last in problem.unseen:
         known &= (time < first) | (time > last)
         known_means &= (samples.ends < first) | (samples.begins > last)
-    jumps = {} if problem.blind or problem.unseen else _jumps(problem, value, number, moved, places)
+    jumps = {} if problem.blind or problem.unseen else touch_steps.told(problem, value, number, moved, places)
     return Settled(touches, places, used, known, known_means, contact, jumps)
 
 
-def _jumps(problem: Problem, value: Mapping[str, float], number: int, moved: Motion, places: Integers) -> dict[int, float]:
-    name = next((name for name in SHARP if name in problem.names), None)
-    found: dict[int, float] = {}
-    if name is None:
-        return found
-    samples = problem.legs[number].samples
-    sign = problem.signs[name] * (1 if name == "force" else -1)
-    for at, (touch, place) in enumerate(zip(moved.touches, places)):
-        height = 2 * value["stop_ratio"] * np.sqrt(moved.rig.stiffness * moved.rig.mass) * moved.pieces[2 * at + 1].at(touch)[1]
-        height /= 1 if name == "force" else moved.rig.mass
-        near = slice(place - JUMP_REACH, place + JUMP_REACH)
-        time = samples.time[near] if place >= JUMP_REACH else samples.time[:0]
-        if len(time) < 2 * JUMP_REACH or np.ptp(time) > (2 * JUMP_REACH - 0.5) * problem.step or not height > JUMP_OVER_NOISE * problem.noise[name]:
-            continue
-        steps = np.diff(sign * samples.values[name][near])
-        largest = int(np.argmax(steps))
-        if steps[largest] > SHARP_JUMP * height:
-            found[at] = float(time[largest] + 0.5 * problem.step)
-    return found
-
-
 def _together(problem: Problem, settled: Sequence[Settled]) -> float:
-    """Factor on the error of a jump's position if all impacts are a constant number of samples apart: each is then sampled
-    at the same phase, and many impacts carry no more information than one."""
-    touches = np.concatenate([one.touches for one in settled])
-    steps = np.rint(np.diff(touches) / problem.step)
-    return float(np.sqrt(len(touches))) if len(steps) > 2 and np.ptp(steps) == 0 else 1.0
+    """Factor on the error of a touch's position in its step, since the times between touches are known better than a step: impacts a whole number
+    of samples apart are all sampled at the same phase, and many carry no more information than one. Positions, from the middle, of two touches whose phases are a
+    fraction f of a step apart have the correlation 1 - 6 f (1 - f) (of sawtooths; f = 0: 1, f = 1/2: -1/2); the factor is the square root of the
+    largest eigenvalue of these correlations."""
+    touches = np.array([one.touches[at] for one in settled for at in one.jumps]) / problem.step
+    apart = np.mod(touches[:, None] - touches, 1)
+    return float(np.sqrt(np.linalg.eigvalsh(1 - 6 * apart * (1 - apart))[-1])) if len(touches) else 1.0
 
 
 def levels(found: Solved) -> tuple[dict[str, float], dict[str, float]]:

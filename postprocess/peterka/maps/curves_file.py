@@ -16,7 +16,7 @@ from ..files.opened import OpenedFile
 from .map_file import Axis, PeterkaFile
 
 KINDS = ("fold", "period_doubling", "grazing")
-SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
+SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection", "generalized_flip")
 EDGE_KINDS = (*KINDS, "none", "unknown")  # of edge_kind_*; -128 for a cell without such an orbit
 MAX_POINTS = 10_000_000
 MAX_SAMPLES = 4096  # of an orbit

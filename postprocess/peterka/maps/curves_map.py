@@ -32,7 +32,7 @@ WORDS = {"fold": "fold: the orbit is born or ends", "period_doubling": "period d
          "grazing": "grazing: an impact is gained or lost"}
 LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "period doubling with grazing"),
            "double_grazing": ("G", "two grazings"), "cusp": ("C", "cusp: two folds meet"),
-           "inflection": ("I", "grazing without acceleration")}
+           "inflection": ("I", "grazing without acceleration"), "generalized_flip": ("D", "generalized period doubling")}
 COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
 MOST_NAMES, NAME_SIZES = 24, (6, 5)  # pt
 PLATE = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "boxstyle": "square,pad=0.1"}  # behind a name over a map
