@@ -58,7 +58,7 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
     // a rigid stop's attractors have no computed peak to compare
     for (const StoredAttractor& each : all) {
         counts.proofs.add(each, each.peak_force);
-        counts.lives.add(each, place.row, place.column);
+        if (cell.computed) counts.lives.add(each, place.row, place.column);
     }
     add_kick(counts.kicks, all);
     const auto first = std::ranges::find_if(here, is_resolved);
@@ -105,7 +105,7 @@ void add_attractors(StartFindings& findings, const parallel::Tile& tile,
                                         tile.column + position % tile.extent.columns};
         if (slots == 0) {
             add_kick(findings.counts.kicks, cells[cell]);
-            findings.counts.lives.add(cells[cell], place.row, place.column);
+            if (cells[cell].computed) findings.counts.lives.add(cells[cell], place.row, place.column);
         }
         here.clear();
         for (std::size_t slot = 0; slot < slots; ++slot) {

@@ -28,8 +28,8 @@ void count(std::array<std::int64_t, size>& counts, std::int8_t value) {
     if (index < size) ++counts[index];
 }
 
-void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::int64_t row,
-              std::int64_t column) {
+void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::int64_t row, std::int64_t column,
+              double mass) {
     PETERKA_EXPECT(cell.regime != cell::Regime{cell::regime_not_computed} && row >= 0 && column >= 0);
     Counts& counts = statistics.counts;
     ++counts.cells;
@@ -49,7 +49,7 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     }
 
     statistics.transients.add(cell);
-    const LargestForce force{cell.peak_force, row, column};
+    const LargestForce force{cell.peak_force, row, column, mass};
     statistics.largest.any_regime.take(force);
     if (cell.regime != Regime::periodic) return;
     statistics.largest.periodic.take(force);
@@ -71,9 +71,9 @@ std::string reasons(const std::array<std::int64_t, cell::status_names.size()>& c
 
 void LargestForce::take(const LargestForce& other) {
     // NaN is never taken; the lower cell wins a tie, so that the order of merging does not matter.
-    if (!other.found() || !(other.peak_force_ratio >= peak_force_ratio)) return;
+    if (!other.found() || !(other.force() >= force())) return;
     const bool is_lower = std::tie(other.row, other.column) < std::tie(row, column);
-    if (other.peak_force_ratio > peak_force_ratio || !found() || is_lower) *this = other;
+    if (other.force() > force() || !found() || is_lower) *this = other;
 }
 
 void Extremes::take(const Extremes& other) {
@@ -104,13 +104,13 @@ void Counts::add(const Counts& other) {
     cycles += other.cycles;
 }
 
-void add_tile(Statistics& statistics, const parallel::Tile& tile,
-              std::span<const quantities::StoredCell> cells) {
+void add_tile(Statistics& statistics, const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
+              std::span<const double> masses) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (static_cast<std::int8_t>(cells[i].regime) == regime::regime_not_computed) continue;
         const auto position = static_cast<std::int64_t>(i);
         add_cell(statistics, cells[i], tile.row + position / tile.extent.columns,
-                 tile.column + position % tile.extent.columns);
+                 tile.column + position % tile.extent.columns, masses.empty() ? 1.0 : masses[i]);
     }
 }
 

@@ -27,8 +27,10 @@ struct LargestForce {
     double peak_force_ratio = -std::numeric_limits<double>::infinity();
     std::int64_t row = -1;
     std::int64_t column = -1;
+    double mass = 1;  // of the hammer, in one unit for all cells
 
     [[nodiscard]] bool found() const { return row >= 0; }
+    [[nodiscard]] double force() const { return peak_force_ratio * mass; }  // by which it is the largest
     void take(const LargestForce& other);
 };
 
@@ -96,9 +98,10 @@ struct Statistics {
     }
 };
 
-// Adds the cells of one tile, row by row; cells not yet computed are skipped.
-void add_tile(Statistics& statistics, const parallel::Tile& tile,
-              std::span<const quantities::StoredCell> cells);
+// Adds the cells of one tile, row by row; cells not yet computed are skipped. masses: of each cell's hammer, in
+// any unit, if they differ.
+void add_tile(Statistics& statistics, const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
+              std::span<const double> masses = {});
 
 // One line per reason why cells have no result, e.g. "3 cells failed: not_finite"; "" if all have one.
 [[nodiscard]] std::string failure_text(const Counts& counts);

@@ -35,7 +35,7 @@ constexpr hdf5::Variable columns[] = {
     {"impacts", hdf5::Number::int32, -1, "1", "impacts p of z = p/q by it"},
     {"period", hdf5::Number::int32, -1, "1", "period q of z = p/q by it in forcing cycles"},
     {"peak_force_ratio", hdf5::Number::float64, regime::unknown, "1", "peak impact force over hammer weight by it, F/(m g0)"},
-    {force_error, hdf5::Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare"},
+    {force_error, hdf5::Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare, as in filled cells"},
     {sensitivity, hdf5::Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label depends on rounding; NaN where they agree"},
     {agrees, hdf5::Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
@@ -92,7 +92,10 @@ AuditReport report(std::span<const AuditRow> rows) {
     std::vector<double> errors;
     for (const AuditRow& row : rows) {
         report.agreeing += row.agrees ? 1 : 0;
-        report.decided_by_rounding += !row.agrees && row.sensitivity > regime::rounding_decides ? 1 : 0;
+        report.filled += row.computed ? 0 : 1;
+        report.agreeing_filled += row.agrees && !row.computed ? 1 : 0;
+        const bool by_rounding = row.computed && !row.agrees && row.sensitivity > regime::rounding_decides;
+        report.decided_by_rounding += by_rounding ? 1 : 0;
         report.starts.add(row.starts);
         report.rigs.add(row.rigs);
         report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
@@ -168,11 +171,13 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
 
 std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
     const auto errors = read_column<double>(map_, path_of(force_error), count);
+    const auto places = read_column<std::int64_t>(map_, path_of("cell"), count);
     const auto growths = read_column<double>(map_, path_of(sensitivity), count);
     const auto marks = read_column<std::int8_t>(map_, path_of(agrees), count);
     const auto times = read_column<double>(map_, seconds_path, count);
     std::vector<AuditRow> rows(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].cell = places[i];
         rows[i].force_error = errors[i];
         rows[i].sensitivity = growths[i];
         rows[i].agrees = marks[i] == 1;

@@ -33,6 +33,7 @@ struct AuditRow {
     double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
                                            // in either run
     bool agrees = false;                   // same regime, and the same p/q where it is periodic
+    bool computed = true;                  // not filled from the cells around it
     AuditedTries starts;
     AuditedTries rigs;
     double seconds = 0;  // spent on solving it again
@@ -42,7 +43,9 @@ struct AuditRow {
 struct AuditReport {
     std::int64_t cells = 0;
     std::int64_t agreeing = 0;
-    std::int64_t decided_by_rounding = 0;         // of those that do not agree
+    std::int64_t decided_by_rounding = 0;  // of computed ones that do not agree
+    std::int64_t filled = 0;               // of all
+    std::int64_t agreeing_filled = 0;
     std::int64_t compared = 0;                    // cells with a force_error
     double median_force_error = regime::unknown;  // of these, relative, as are the next two
     double force_error_99_percent = regime::unknown;
@@ -75,7 +78,7 @@ class AuditTable {
 
     [[nodiscard]] bool has(std::int64_t index) const;
     void write(std::int64_t index, const AuditRow& row) const;
-    // What a report needs of each of the first `count` rows.
+    // What a report needs of each of the first `count` rows, except whether the cell was computed.
     [[nodiscard]] std::vector<AuditRow> read(std::int64_t count) const;
     void write(const AuditReport& report) const;
 

@@ -175,7 +175,12 @@ std::optional<AuditReport> MapFile::audit_report() {
     if (audit_rows_ == 0) return std::nullopt;
     settle();
     std::vector<AuditRow> rows;
-    parallel::together(communicator_, [&] { rows = audit().read(audit_rows_); });
+    parallel::together(communicator_, [&] {
+        rows = audit().read(audit_rows_);
+        if (job_.refine.levels == 0) return;
+        const std::int64_t columns = job_.columns.points;
+        for (AuditRow& row : rows) row.computed = read_cell(row.cell / columns, row.cell % columns).computed;
+    });
     return report(rows);
 }
 

@@ -1,8 +1,11 @@
 #include "map_file/survey.hpp"
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
+#include "job/axis_key.hpp"
+#include "job/cell_numbers.hpp"
 #include "parallel/collective.hpp"
 #include "support/stop_if_asked.hpp"
 
@@ -43,13 +46,25 @@ struct ClassCount {
     std::int64_t cells = 0;
 };
 
+// Of each cell's hammer [kg], row by row; empty where all have the same.
+std::vector<double> masses_of(const job::Job& job, const parallel::Tile& tile) {
+    if (!job::has_axis(job, [](std::string_view key) { return key == "hammer.mass_kg"; })) return {};
+    std::vector<double> masses;
+    for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
+        for (std::int64_t column = tile.column; column < tile.column + tile.extent.columns; ++column) {
+            masses.push_back(job::numbers_at(job, row, column).hammer.mass_kg);
+        }
+    }
+    return masses;
+}
+
 findings::Statistics survey_share(const TileStore& tiles, const job::Job& job, parallel::Share share) {
     findings::Statistics mine;
     for (std::int64_t index = share.first; index < share.end; ++index) {
         look_for_stop_request();
         const parallel::Tile tile = tiles.tiling().tile(index);
         const std::vector<quantities::StoredCell> cells = tiles.read(tile);
-        findings::add_tile(mine, tile, cells);
+        findings::add_tile(mine, tile, cells, masses_of(job, tile));
         findings::add_attractors(mine.starts, tile, cells, tiles.read_attractors(tile));
         findings::add_outcomes(mine.outcomes, cells, tiles.read_outcomes(tile));
         findings::add_elasticities(mine.elasticities, job, tile, cells);

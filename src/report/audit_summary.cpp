@@ -1,8 +1,11 @@
 #include "report/summary_parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "regime/cell_result.hpp"
 #include "support/readable.hpp"
@@ -14,18 +17,27 @@ namespace {
 std::string differing(const map_file::AuditReport& audit) {
     const std::int64_t all = audit.cells - audit.agreeing;
     if (all == 0) return "";
-    const std::int64_t others = all - audit.decided_by_rounding;
-    std::string text = fmt::format("  other label         {}: ", readable_count(all));
+    const std::int64_t filled = audit.filled - audit.agreeing_filled;
+    const std::int64_t others = all - filled - audit.decided_by_rounding;
+    std::vector<std::string> parts;
+    if (filled > 0) {
+        const std::string what =
+            filled < all ? readable_count(filled) + " of cells" : (all == 1 ? "a cell" : "all of cells");
+        parts.push_back(what + " filled from those around");
+    }
     if (audit.decided_by_rounding > 0) {
         const std::string each = all == 1 ? "it" : "each";
-        text += fmt::format(
+        parts.push_back(fmt::format(
             "in {} a perturbation grew by e^{:g} or more (sensitivity), so rounding decides the label",
-            others == 0 ? each : readable_count(audit.decided_by_rounding), regime::rounding_decides);
+            audit.decided_by_rounding == all ? each : readable_count(audit.decided_by_rounding),
+            regime::rounding_decides));
     }
     if (others > 0) {
-        text += fmt::format("{}{} for another reason; /audit in the file has the cells",
-                            audit.decided_by_rounding > 0 ? "; " : "", readable_count(others));
+        parts.push_back(
+            fmt::format("{} for another reason; /audit in the file has the cells", readable_count(others)));
     }
+    const std::string text =
+        fmt::format("  other label         {}: {}", readable_count(all), fmt::join(parts, "; "));
     return text + "\n";
 }
 
@@ -52,6 +64,14 @@ std::string audit_summary(const map_file::AuditReport& audit, double seconds_per
         "  same regime and z   {} of {} ({})\n",
         readable_count(audit.cells), readable_count(audit.agreeing), readable_count(audit.cells),
         readable_share(audit.agreeing, audit.cells));
+    if (audit.filled > 0) {
+        const std::int64_t computed = audit.cells - audit.filled;
+        text += fmt::format(
+            "  of these            {} of {} computed cells, {} of {} filled from the cells around ({})\n",
+            readable_count(audit.agreeing - audit.agreeing_filled), readable_count(computed),
+            readable_count(audit.agreeing_filled), readable_count(audit.filled),
+            readable_share(audit.agreeing_filled, audit.filled));
+    }
     text += differing(audit);
     if (audit.compared > 0) {
         text += fmt::format(

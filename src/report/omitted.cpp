@@ -56,8 +56,8 @@ std::vector<std::string> omitted_in_words(const job::Job& job, const findings::S
     }
     if (statistics.counts.filled > 0) {
         sentences.push_back(fmt::format(
-            "{} cells: filled from computed ones of the same regime and z around them, see computed",
-            readable_count(statistics.counts.filled)));
+            "{}: filled from computed ones of the same regime and z around, see computed",
+            statistics.counts.filled == 1 ? "1 cell" : readable_count(statistics.counts.filled) + " cells"));
     }
     sentences.emplace_back("the rest of each trajectory once its regime is verified");
     if (job::is_rigid(job.contact)) return sentences;  // whose forces have no bound

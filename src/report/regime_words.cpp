@@ -141,10 +141,16 @@ std::string transients_in_words(const job::Job& job, const findings::Transients&
     if (!job.output.has(job::OptionalField::last_impact)) return "";
     if (ends.ended == 0) return "\nNo cell strikes the stop first and ends without impact.\n";
     const double mean = static_cast<double>(ends.cycles) / static_cast<double>(ends.ended);
+    const bool refined = job.refine.levels > 0;  // computed cells lie where labels change
     std::string text = fmt::format(
-        "\nImpacts that end\n  {} end without impact after {:.4g} cycles with impacts on "
-        "average, {} at most\n  still impacting after",
-        ends.ended == 1 ? "1 cell" : readable_count(ends.ended) + " cells", mean, readable_count(ends.longest));
+        "\nImpacts that end\n  {}{} without impact after {:.4g} cycles with impacts on "
+        "average, {} at most\n  {}still impacting after",
+        readable_count(ends.ended),
+        ends.ended == 1 ? " cell ends" : (refined ? " computed cells end" : " cells end"), mean,
+        readable_count(ends.longest),
+        refined ? fmt::format("of the {} computed cells that settled, not of the plane, ",
+                              readable_count(ends.cells))
+                : "");
     const char* separator = " ";
     for (std::size_t n = 0; n < findings::Transients::looks.size(); ++n) {
         const std::int64_t look = findings::Transients::looks[n];

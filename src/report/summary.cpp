@@ -117,7 +117,7 @@ std::string forces(const SummaryInput& input) {
     const auto is_mass = [](std::string_view key) { return key == "hammer.mass_kg"; };
     const std::string weight =
         has_axis(input.scene.job(), is_mass)
-            ? std::string("over the weight that the hammer has there")
+            ? std::string("the largest in N; in weights, those that the hammer has there")
             : fmt::format("the hammer weighs {}", readable_amount(input.scene.scales().weight_n, "N", 3));
     return fmt::format("\nLargest peak force ({})\n{}", weight, lines);
 }
@@ -144,7 +144,8 @@ std::string effort(const SummaryInput& input) {
 
 std::string audit(const SummaryInput& input) {
     if (!input.findings.audit) return "";
-    const auto cells = static_cast<double>(std::max<std::int64_t>(input.findings.statistics.counts.cells, 1));
+    const findings::Counts& counts = input.findings.statistics.counts;
+    const auto cells = static_cast<double>(std::max<std::int64_t>(counts.cells - counts.filled, 1));
     return audit_summary(*input.findings.audit, input.findings.statistics.tile_seconds / cells);
 }
 

@@ -18,8 +18,10 @@ using map_file::AuditRow;
 using quantities::StoredCell;
 using regime::Regime;
 
-// The largest force of a motion without a period depends on the window in which it was observed.
+// The largest force of a motion without a period depends on the window in which it was observed; that of a
+// filled cell is interpolated.
 double force_error(const StoredCell& cell, const StoredCell& again) {
+    if (!cell.computed) return regime::unknown;
     const bool settled = again.regime == Regime::periodic || again.regime == Regime::sustained_contact;
     if (!settled || !regime::same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
     return std::abs(cell.peak_force / again.peak_force - 1);
@@ -34,7 +36,7 @@ double largest_sensitivity(const scene::Scene& scene, std::int64_t row, std::int
 // How weak a cell's claim may be: a label next to a different one may lie closer to its edge than the omitted
 // terms move that edge, and the smaller a force, the larger its relative change may be. Smaller is weaker.
 double strength_of(const StoredCell& cell, const StoredCell& neighbour) {
-    if (cell.regime == Regime::failed || !cell.computed) return std::numeric_limits<double>::infinity();
+    if (cell.regime == Regime::failed) return std::numeric_limits<double>::infinity();
     const double force = cell.regime == Regime::periodic && cell.peak_force > 0 ? cell.peak_force : 1e300;
     return regime::same_label(cell, neighbour) ? force : force * 1e-200;
 }
@@ -61,26 +63,21 @@ std::int64_t sampled_cell(const scene::Scene& scene, std::int64_t index, std::in
 
 AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file::MapFile& file) {
     const Stopwatch stopwatch;
-    std::int64_t row = cell / scene.columns();
-    std::int64_t column = cell % scene.columns();
-    StoredCell first = file.read_cell(row, column);
-    if (!first.computed) {  // represented by the cell of the coarsest lattice before it, always computed
-        const std::int64_t stride = std::int64_t{1} << scene.job().refine.levels;
-        row -= row % stride;
-        column -= column % stride;
-        first = file.read_cell(row, column);
-    }
+    const std::int64_t row = cell / scene.columns();
+    const std::int64_t column = cell % scene.columns();
+    const StoredCell first = file.read_cell(row, column);
     const StoredCell again = quantities::in_file_units(regime::solve_again(scene, row, column, first.engine),
                                                        scene.cell(row, column).scales);
     const bool agrees = regime::same_label(first, again);
-    const AuditedCell tries = audit_tries(scene, row, column);
-    return {.cell = row * scene.columns() + column,
+    const AuditedCell tries = first.computed ? audit_tries(scene, row, column) : AuditedCell{};
+    return {.cell = cell,
             .row = row,
             .column = column,
             .again = again,
             .force_error = force_error(first, again),
             .sensitivity = agrees ? regime::unknown : largest_sensitivity(scene, row, column, again),
             .agrees = agrees,
+            .computed = first.computed,
             .starts = tries.starts,
             .rigs = tries.rigs,
             .seconds = stopwatch.seconds()};

@@ -3,6 +3,8 @@ numbers with room for them, and no line that isn't there."""
 
 import re
 
+import h5py
+import numpy as np
 import pages
 import pytest
 from test_page_any_axes import RIG, axis
@@ -84,3 +86,19 @@ def test_names_of_scales_stand_beside_long_numbers(browser, tmp_path):
 def test_the_line_of_grazing_is_named_where_it_is_seen(browser, tmp_path, frequencies, gaps, seen):
     opened(browser, tmp_path, RIG + axis("frequency_ratio", *frequencies) + axis("gap_ratio", *gaps))
     assert ("free swing grazes the stop" in browser.text("legend")) == seen
+
+
+def test_a_filled_cell_is_told_as_such(browser, tmp_path):
+    """It had no run: no status, no engine, and a result that the page's engine can't contradict."""
+    job = tmp_path / "job.toml"
+    job.write_text(VISCOUS + axis("frequency_hz", 20.0, 60.0, 33) + axis("gap_m", 1e-4, 9e-4, 33) + "[refine]\nlevels = 3\n")
+    file = pages.compute(tmp_path, job)
+    with h5py.File(file) as data:
+        row, column = np.argwhere(data["computed"][()] == 0)[5].tolist()
+        place = f"{float(data['frequency_hz'][column]) / data.attrs['natural_frequency_hz']!r},{float(data['gap_m'][row]) / data.attrs['cart_amplitude_m']!r}"
+        filled = float(np.mean(data["computed"][()] == 0))
+    browser.open(pages.written(file), f"at={place}&layer=status")
+    browser.solved()
+    browser.until(lambda: re.search(rf"filled from the cells around\W+{100 * filled:.1f}", browser.text("legend")), "the legend doesn't tell of filled cells")
+    browser.until(lambda: "filled from those around" in browser.text("agreement"), "the panel doesn't say that the cell was filled")
+    assert browser.complaints() == []

@@ -126,15 +126,22 @@ def test_tiles_that_are_damaged_or_missing_are_made_again(tmp_path, refined_map_
     map_contents.assert_same_map(tmp_path / "job.h5", refined_map_file)
 
 
-def test_an_audit_takes_computed_cells(tmp_path):
-    jobs.write(tmp_path, refined_map(levels=3) + "\n[audit]\ncells = 12\n")
+def test_an_audit_tells_of_filled_cells_apart(tmp_path):
+    """No cell twice, and filled ones among them: their labels are the map's, and their forces interpolated."""
+    jobs.write(tmp_path, refined_map(levels=3) + "\n[audit]\ncells = 60\n")
     finished = launch.run("run", "job.toml", cwd=tmp_path)
     assert finished.returncode == 0, finished.stderr
     with h5py.File(tmp_path / "job.h5") as file:
         rows, columns = file["audit/row"][()], file["audit/column"][()]
-        assert (file["computed"][()][rows, columns] == 1).all()
-        assert (file["audit/cell"][()] == rows * 128 + columns).all()
-        assert (file["audit/agrees"][()] == 1).all()
+        cells, agrees, errors = (file[f"audit/{name}"][()] for name in ("cell", "agrees", "force_error"))
+        computed = file["computed"][()][rows, columns] == 1
+        assert (cells == rows * 128 + columns).all() and len(np.unique(cells)) == 60
+        assert 5 < computed.sum() < 55 and np.isnan(errors[~computed]).all() and np.isfinite(errors[computed]).any()
+        same = np.all([file[f"audit/{name}"][()] == file[name][()][rows, columns] for name in ("regime", "impacts", "period")], axis=0)
+        assert (same == (agrees == 1)).all() and same[computed].all()
+    filled = ~computed
+    assert (f"of these            {same[computed].sum()} of {computed.sum()} computed cells, {same[filled].sum()} of {filled.sum()} filled "
+            "from the cells around") in finished.stdout
 
 
 def test_check_says_what_is_surely_computed(tmp_path):

@@ -249,6 +249,14 @@ def test_grids_without_a_common_point_are_told_in_hertz_and_millimetres(tmp_path
     assert "of frequency 6.75 to 20.25 Hz, and" in run_compare("a.h5", "b.h5", "--units", "si")[2]
 
 
+def test_on_a_logarithmic_axis_points_are_the_same_where_their_values_are(tmp_path, run_compare):
+    """1e-9 of the axis's length, 1e12, once took 1000 and 1500 for the same."""
+    for name, first in (("a.h5", 1e3), ("b.h5", 1.5e3)):
+        write_map(tmp_path / name, frequency_ratio=np.geomspace(first, 1e12, 4))
+    code, _, complaint = run_compare("a.h5", "b.h5")
+    assert code == 2 and "only cells at the same places can be compared" in complaint
+
+
 JOB_IN_HZ = "schema = 1\n[axes.frequency_hz]\nfrom = 4.5\nto = 18\npoints = 4\n[axes.gap_ratio]\nfrom = 0\nto = 3\npoints = 4\n"
 
 

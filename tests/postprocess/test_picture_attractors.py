@@ -107,6 +107,19 @@ def test_a_kick_that_was_not_found_says_whether_another_motion_is_known(tmp_path
                                     "no kick found up to 4.5 m/s", "not computed yet"]
 
 
+def test_an_orbit_that_was_filled_was_not_kicked(tmp_path):
+    path = write_map(tmp_path / "a.h5", [[orbit(1, 1)] * 3, [NO_IMPACT] * 3])
+    with SealedFile(path, "r+") as file:
+        file["computed"] = np.array([[1, 0, 1], [1, 0, 1]], dtype=np.int8)
+        file["critical_kick"] = np.array([[0.25, np.nan, np.nan], [np.nan] * 3])
+        file["critical_kick_tried"] = np.array([[0.25, np.nan, 4.5], [np.nan] * 3])
+    with PeterkaFile(path) as file:
+        colours, drawn = seen(file, attractor_maps.draw_kick(file), tmp_path)
+    kinds = attractor_maps.KIND_COLOURS
+    assert colours[0][1:] == [kinds[attractor_maps.FILLED], kinds[attractor_maps.NONE_FOUND]] and colours[1] == [kinds[attractor_maps.NO_ORBIT]] * 3
+    assert drawn.legend_texts() == ["no orbit", "no kick found up to 4.5 m/s", "filled from the cells around: not kicked"]
+
+
 def test_words_about_small_kicks_stay_on_the_canvas(tmp_path, monkeypatch):
     path = write_attractors(tmp_path / "a.h5")
     with SealedFile(path, "r+") as file:

@@ -17,7 +17,7 @@ def test_each_class_of_last_impacts_has_its_colour_and_share(tmp_path):
         assert drawn.colour_of(file, 2, 3) == last_impact.SHADES[-1]
     shades = last_impact.SHADES
     assert seen[0] == [shades[0], shades[1], shades[1], shades[2]]
-    assert seen[1] == [shades[3], *last_impact.COLOURS[-4:-3] * 2, last_impact.COLOURS[-2]]
+    assert seen[1] == [shades[3], *[last_impact.COLOURS[last_impact.GOES_ON]] * 2, last_impact.COLOURS[last_impact.UNDECIDED]]
     assert drawn.legend_texts() == [
         "none at all (8.3 %)", "1 to 30 (16.7 %)", "31 to 100 (8.3 %)", "101 to 300 (8.3 %)",
         "301 to 1000 (8.3 %)", "more than 10000 (8.3 %)", "impacts go on (16.7 %)", "undecided (16.7 %)",
@@ -29,6 +29,18 @@ def test_a_stop_that_is_pressed_for_ever_has_no_impacts_that_go_on(tmp_path):
         drawn = Drawn(last_impact.draw(file), tmp_path / "a.png")
         assert drawn.colour_of(file, 0, 0) == colour_named("sustained contact")
     assert drawn.legend_texts() == ["none at all (25.0 %)", "1 to 30 (25.0 %)", "impacts go on (25.0 %)", "sustained contact (25.0 %)"]
+
+
+def test_a_cell_that_was_filled_is_not_undecided(tmp_path):
+    """It had no run, and so no last impact; 16 % of a map were told to be undecided where 0.2 % were."""
+    computed = [[1, 0, 0, 1], [1, 0, 1, 1], [1, 1, 1, 0]]
+    last = [[0, -1, -1, 31], [300, -1, -1, -1], [-1, -1, 301, -1]]
+    with PeterkaFile(write_map(tmp_path / "a.h5", CELLS, fields={"last_impact": last, "computed": computed})) as file:
+        drawn = Drawn(last_impact.draw(file), tmp_path / "a.png")
+        seen = [drawn.colour_of(file, 0, 1), drawn.colour_of(file, 2, 3), drawn.colour_of(file, 1, 1), drawn.colour_of(file, 1, 3)]
+    of = last_impact.COLOURS
+    assert seen == [of[last_impact.FILLED], of[last_impact.FILLED], of[last_impact.GOES_ON], of[last_impact.UNDECIDED]]
+    assert "no impact, filled: without a run (25.0 %)" in drawn.legend_texts() and "undecided (16.7 %)" in drawn.legend_texts()
 
 
 def test_a_short_run_sees_impacts_that_end_later(tmp_path):

@@ -40,7 +40,7 @@ def test_the_page_tells_all_and_has_its_pictures(files, tmp_path):
         "# Results", "## Error and time", "## What errors do to a map", "## Where engines break", "## What `auto` left out"]
     assert "**A &lt;b&gt;rig**" in page and "- cubic spring: in 16 cells, where 3 k3 u^2/k &lt; 0.001" in page
     assert "solved 5 cells again, half of them at random and half where claims are weakest. 4 have the same regime" in page
-    assert "the peak forces of the 2 comparable ones differ by 5.0e-08 in the median" in page
+    assert "the peak forces of the 2 comparable ones differ by 1.0e-09 in the median" in page
     assert "to the power −0.500" in page
 
 

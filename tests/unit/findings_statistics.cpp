@@ -111,6 +111,15 @@ TEST(OutputStatistics, OfChaosThatIsNotToldYetTheOneWithFewestImpacts) {
     EXPECT_EQ(found.column, 11);
 }
 
+TEST(OutputStatistics, TheLargestForceIsThatInNewtonsWhereMassesDiffer) {
+    const std::vector<quantities::StoredCell> cells{cell_of(Regime::periodic, 9, 1, 1),
+                                                    cell_of(Regime::periodic, 2, 1, 1)};
+    Statistics statistics;
+    add_tile(statistics, {0, 5, 10, {1, 2}}, cells, std::vector<double>{0.1, 2.0});
+    EXPECT_EQ(statistics.largest.one_to_one.column, 11);
+    EXPECT_EQ(statistics.largest.any_regime.peak_force_ratio, 2);
+}
+
 TEST(OutputStatistics, LargestForcesAndWhere) {
     const Statistics statistics = statistics_of(
         {cell_of(Regime::failed, regime::unknown), cell_of(Regime::periodic, 7, 1, 2),

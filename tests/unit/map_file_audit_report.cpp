@@ -38,6 +38,19 @@ TEST(AuditReport, CountsLabelsThatRoundingDecides) {
     EXPECT_EQ(result.decided_by_rounding, 2);
 }
 
+TEST(AuditReport, FilledCellsAreCountedApart) {
+    AuditRow filled = row(regime::unknown, true);
+    filled.computed = false;
+    AuditRow wrong = filled;
+    wrong.agrees = false;
+    wrong.sensitivity = 55;  // of a run that the map hasn't made
+    const AuditReport result = report(std::vector<AuditRow>{row(1e-5, true), filled, filled, wrong});
+    EXPECT_EQ(result.agreeing, 3);
+    EXPECT_EQ(result.filled, 3);
+    EXPECT_EQ(result.agreeing_filled, 2);
+    EXPECT_EQ(result.decided_by_rounding, 0);
+}
+
 TEST(AuditReport, WithoutForcesToCompareThereAreNoErrors) {
     const AuditRow only = row(regime::unknown, true);
     const AuditReport result = report(std::span(&only, 1));

@@ -338,6 +338,24 @@ TEST(Summary, ProofsAreCountedByWhatTheyProve) {
         << text();
 }
 
+TEST(Summary, AnAuditTellsFilledCellsApart) {
+    const auto told = [](std::int64_t agreeing, std::int64_t by_rounding, std::int64_t agreeing_filled) {
+        return summary(statistics_of_a_hundred_cells(), job::Kind::map, {},
+                       map_file::AuditReport{.cells = 40,
+                                             .agreeing = agreeing,
+                                             .decided_by_rounding = by_rounding,
+                                             .filled = 10,
+                                             .agreeing_filled = agreeing_filled});
+    };
+    EXPECT_TRUE(contains(line_with(told(34, 2, 7), "of these"),
+                         "27 of 30 computed cells, 7 of 10 filled from the cells around (70.0 %)"));
+    EXPECT_TRUE(contains(line_with(told(34, 2, 7), "other label"),
+                         "6: 3 of cells filled from those around; in 2 a perturbation"));
+    EXPECT_TRUE(contains(line_with(told(34, 2, 7), "other label"), "; 1 for another reason"));
+    EXPECT_TRUE(contains(line_with(told(37, 0, 7), "other label"), "3: all of cells filled from those around"));
+    EXPECT_TRUE(contains(line_with(told(39, 0, 9), "other label"), "1: a cell filled from those around"));
+}
+
 TEST(Summary, AnAuditSaysWhereRoundingDecides) {
     const auto text = [](std::int64_t agreeing, std::int64_t decided_by_rounding) {
         return summary(statistics_of_a_hundred_cells(), job::Kind::map, {},

@@ -111,7 +111,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     if file.outcome_slots > 0:
         tell(f"  of the job's own rig alone: what its {draws_of(file).count} drawn rigs reach is told by --risk 0.95")
     if file.is_refined:
-        tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
+        tell(f"  {OF_REFINED}; --verify computes all of the box")
     said = quantity, what[0], "\n".join(filter(None, [what[1], boxes]))
     save_all(picture.draw(file, worst, places, rows, columns, said), arguments.output_dir, f"{file.path.stem}_operating_point",
              arguments.formats)
@@ -119,6 +119,9 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
         tell(verify.text_of(file, places[0], checked, quantity))
     return DONE
+
+
+OF_REFINED = "the map is refined: cells that were filled count as if they were computed"
 
 
 def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
@@ -140,6 +143,8 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         tell(f"  {apart}: {boxes}")
     tell_of_weights(quantity)
     tell(f"  {risk.text_of_sampling(file, arguments.risk, draws, arguments.regime)}")
+    if file.is_refined:
+        tell(f"  {OF_REFINED}: their probabilities and values are interpolated, no rig was drawn there; --verify draws afresh in the best box")
     for line in risk.strange_offsets(file):
         tell(f"  {line}")
     for line in words.table(file, places, quantity, "least probability of z"):

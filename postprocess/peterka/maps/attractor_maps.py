@@ -38,9 +38,9 @@ END_WORDS = {"no impact": "without impacts", "chaotic": "in chaos"}
 LACKING_COLOUR = "#F7C6D0"
 UNDECIDED = (UNRESOLVED, FAILED)
 MOST_UNDECIDED = 0.5  # share of starts or rigs without a result from which on a cell has no share of impacts
-NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # outcome of a kick in a cell
-KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
-KIND_HATCHES = ["++", "", "", "\\\\", ""]  # in the grey palette
+NO_ORBIT, WAITING, ALONE, NONE_FOUND, FILLED, THROWN = range(6)  # outcome of a kick in a cell
+KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#BFE3D0", "#FFFFFF"]
+KIND_HATCHES = ["++", "", "", "\\\\", "..", ""]  # in the grey palette
 
 
 @picture(PeterkaFile)
@@ -83,17 +83,21 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     """The critical kick of the periodic attractor with the largest share, or of the cell's own orbit; cells without one are
     distinguished by whether another motion is known. None if no orbit was kicked."""
     names = ["regime", *KICKS] + (["attractors", "attractor_regime"] if file.slots else [])
+    filled = ["computed"] if file.is_refined else []
 
-    def kinds(regime: Integers, kick: Reals, tried: Reals, *known: Integers) -> Integers:
+    def kinds(regime: Integers, kick: Reals, tried: Reals, *more: Integers) -> Integers:
+        known, computed = (more[:-1], more[-1]) if filled else (more, None)
         kick, tried = (_of_kicked(values, tried) for values in (kick, tried))
         others = np.where(_known(*known) == 1, ALONE, NONE_FOUND) if known else np.full(regime.shape, NONE_FOUND)
         kind = np.where(np.isfinite(kick), THROWN, np.where(np.isfinite(tried), others, NO_ORBIT))
+        if computed is not None:
+            kind = np.where((computed == 0) & (regime == PERIODIC), FILLED, kind)
         return np.where(regime == NOT_COMPUTED, WAITING, kind)
 
     def values(regime: Integers, kick: Reals, tried: Reals, *_: Integers) -> Reals:
         return np.where(regime == NOT_COMPUTED, np.nan, _of_kicked(kick, tried))
 
-    classes, counts = class_picture(file, names, kinds, len(KIND_COLOURS))
+    classes, counts = class_picture(file, names + filled, kinds, len(KIND_COLOURS))
     if not counts[[ALONE, NONE_FOUND, THROWN]].any():
         return None
     reduced = reduced_values(file, names, values, np.fmin)
@@ -101,7 +105,7 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     least, most = (f"{size:.3g}" for size in _tried_without(file))
     tried = f"{least} m/s" if least == most else f"{least}–{most} m/s"
     texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone known, no kick up to {tried}",
-             NONE_FOUND: f"no kick found up to {tried}", WAITING: "not computed yet"}
+             NONE_FOUND: f"no kick found up to {tried}", FILLED: "filled from the cells around: not kicked", WAITING: "not computed yet"}
     looks = [without_value(*look) for look in zip(KIND_COLOURS, KIND_HATCHES)]
     handles = [axes.legend_patch(text, looks[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)

@@ -14,7 +14,7 @@ from ..files.coordinates import Coordinate
 from ..plotting.coordinates import called, span_in_words
 from .map_file import BAND_CELLS, Axis, PeterkaFile, axis_of
 
-SAME_POINT = 1e-9  # of the length of an axis: smaller differences are rounding
+SAME_POINT = 1e-9  # of the length of an axis, or of the value on a logarithmic one: smaller differences are rounding
 
 
 class CommonPlane:
@@ -84,7 +84,8 @@ class CommonPlane:
         coarse, fine = sorted(axes, key=lambda axis: len(axis.values))
         nearest = _nearest(fine.values, coarse.values)
         length = (coarse.values[-1] - coarse.values[0]) or abs(coarse.values[0]) or 1
-        same = np.abs(fine.values[nearest] - coarse.values) <= SAME_POINT * length
+        sizes = np.abs(coarse.values) if coarse.log else length
+        same = np.abs(fine.values[nearest] - coarse.values) <= SAME_POINT * sizes
         if same.sum() < min(2, len(coarse.values)):
             a, b = axes
             raise self.second.refusal(f"has {_span(self.second, b)}, and {self.first.path} has {_span(self.first, a)}: only cells at the same places "

@@ -70,6 +70,7 @@ const file = {
   async loadLabels() {
     const { plane, blob } = content.labels;
     this.labels = planeOf(plane, await blobOf(blob), this.columns.values.length);
+    if (this.layer("computed")) await this.loadLayer(this.layer("computed"));
   },
   async loadLayer(layer) {
     layer.loading ??= blobOf(layer.blob).then((bytes) => {
@@ -91,7 +92,8 @@ const file = {
   value(row, column) {
     if (!this.holds(row, column)) throw new RangeError(`the ${content.kind} has no cell in row ${row}, column ${column}`);
     const [regime, impacts, period] = this.label(row, column);
-    return { regime, impacts, period, peak_force_ratio: this.number("peak_force_ratio", row, column), row, column };
+    const filled = this.number("computed", row, column) === 0; // from the cells around it, in a refined map
+    return { regime, impacts, period, filled, peak_force_ratio: this.number("peak_force_ratio", row, column), row, column };
   },
   // What is proved about a cell [certified, lower, upper, in what unit], or why nothing is [reason in words]; null where
   // nothing was tried or the file has no proofs, or only shortened ones. Loads what it needs.

@@ -35,6 +35,7 @@ TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", 
           "speed_q50": "median impact speed of drawn rigs", "speed_q95": "impact speed that 5 % of drawn rigs exceed",
           "outcome_others": "probability of rarer outcomes",
           "outcomes": "number of outcomes"}
+OF_RUNS, NONE = ("status", "engine"), -128  # a filled cell had no run
 TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
 
@@ -63,14 +64,22 @@ def datasets(file: PeterkaFile, asked: Sequence[str] | None) -> list[str]:
     """Names of the datasets that become layers: always peak force, which scripts rely on."""
     if asked is None:
         asked = file.data.names() if file.shape[0] * file.shape[1] <= EXACT_CELLS else []
-    return ["peak_force_ratio", *(name for name in asked if name not in (*LABELS, "peak_force_ratio"))]
+    always = ["peak_force_ratio", *(["computed"] if file.is_refined else [])]
+    return [*always, *(name for name in asked if name not in (*LABELS, *always))]
 
 
 def layers_of(file: PeterkaFile, name: str, every: int, room: int) -> list[tuple[dict[str, Any], bytes]] | None:
     """[({description}, bytes), ...] of a dataset: one, or one per slot for [slot][row][column]. None if it is not a number per cell."""
     shape = shape_of(file, name)
     if shape == file.shape:
-        return [layer(file, name, name, file.data.values(name, slice(None))[::every, ::every], room)]
+        values = file.data.values(name, slice(None))[::every, ::every]
+        if name not in OF_RUNS or not file.is_refined:
+            return [layer(file, name, name, values, room)]
+        computed = file.data.values("computed", slice(None))[::every, ::every] == 1
+        description, packed = layer(file, name, name, np.where(computed, values, NONE).astype(values.dtype), room)
+        if "words" in description:
+            description["words"][str(NONE)] = "filled from the cells around"
+        return [(description, packed)]
     if shape is not None and len(shape) == 3 and shape[1:] == file.shape and 0 < shape[0] <= 16:
         slots = range(shape[0])
         return [layer(file, name, f"{name}[{slot}]", file.data.values(name, slot)[::every, ::every], room)

@@ -107,6 +107,7 @@ function agreement(answer, stored) {
   if (!same && stored.regime === UNRESOLVED && content.kind === "sweep") {
     return { same: null, words: "the file left this point unresolved; from there the engine goes on" };
   }
+  if (!same && stored.filled) return { same: null, words: `the file has ${label} here, filled from the cells around` };
   if (!same && answer.status === ROUNDING) {
     return { same: null, words: `the file has ${label}: on this way errors of rounding grow by e^20 or more, so that the page’s engine may end elsewhere` };
   }
@@ -117,6 +118,7 @@ function agreement(answer, stored) {
     return { same, words: "equals the file’s point; of such a motion another stretch is seen" };
   }
   const off = Math.abs(live - kept) / kept;
+  if (stored.filled) return { same, words: `equals the file’s cell, which is filled from those around, force to ${digits(off, 1)}` };
   return { same, words: `equals the file’s ${one}, force to ${off === 0 ? "the last bit" : digits(off, 1)}` };
 }
 
