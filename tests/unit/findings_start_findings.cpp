@@ -37,6 +37,19 @@ struct Row {
     }
 };
 
+TEST(StartFindings, AFilledCellHasNoMotionsThatWereNotFollowed) {
+    for (const std::size_t slots : {0, 3}) {
+        Row row;
+        row.add(0, {striking});
+        row.add(0, {striking});
+        for (StoredCell& cell : row.cells) cell.regime = cell::Regime::periodic;
+        row.cells[1].computed = false;
+        StartFindings findings;
+        row.add_to(findings, slots);
+        EXPECT_EQ(findings.counts.lives.others, 1);
+    }
+}
+
 TEST(StartFindings, EachCellCountsOnceForWhatIsTrueOfIt) {
     Row row;
     row.add(0, {swinging_free, striking});     // both kinds

@@ -221,6 +221,11 @@ TEST(Summary, LivesOfImpactsThatEndWhereTheyAreStored) {
         << text();
     EXPECT_TRUE(contains(text(), "after 30 cycles: 50.0 %, 100 cycles: 40.0 %, 300 cycles: 25.0 %\n"))
         << text();
+    job.refine.levels = 2;
+    EXPECT_TRUE(contains(text(), "20 computed cells end without impact")) << text();
+    EXPECT_TRUE(
+        contains(text(), "of the 100 computed cells that settled, not of the plane, still impacting after 30"))
+        << text();
     statistics.transients = {};
     EXPECT_TRUE(contains(text(), "No cell strikes the stop first and ends without impact")) << text();
 }
