@@ -158,6 +158,17 @@ def test_a_zoom_shows_and_counts_what_is_inside(tmp_path, draw):
     assert in_hertz.code == 0 and "75.0 %" in (tmp_path / "out" / "rig_map.svg").read_text()
 
 
+def test_cells_that_the_frame_cuts_have_no_name_beside_it(tmp_path):
+    """Names were written across the frame, over its ticks."""
+    path = write_map(tmp_path / "a.h5", [[orbit(2, 2), orbit(2, 2), NO_IMPACT], [orbit(1, 1), orbit(1, 1), NO_IMPACT], [orbit(3, 3), orbit(3, 3), NO_IMPACT]])
+    with open_file(path) as whole:
+        columns, rows = whole.columns, whole.rows
+        window = [columns.edges[0], columns.edges[2] + 0.02, rows.edges[1] - 0.02, rows.edges[2] + 0.02]
+        ax = peterka_map.draw(zoomed(whole, tuple(map(float, window)), in_si=False))
+    assert [text.get_text() for text in ax.texts] == ["1/1"]
+    assert all(0 < share < 1 for text in ax.texts for share in text.get_position())
+
+
 @pytest.mark.parametrize("zoom, share, border", [
     (None, "(share of the map)", ", on the map's border"),
     ((1.0, 2.8, 0.0, 3.0), "(share of the part shown)", ", on the border"),

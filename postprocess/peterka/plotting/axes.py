@@ -30,6 +30,7 @@ from .ticks_in_units import number_in_units
 from .titles import write_title as write_title
 
 LETTER_SHARE = 0.033  # width of a 9 pt character over the width of the map
+SEEN_OF_WINDOW = 0.8  # of the smallest one for a name, inside the frame
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
 
 
@@ -182,7 +183,10 @@ def name_areas(ax: Axes, reduced: Image, names: Mapping[int, tuple[str, str | Fi
         if window is not None:
             (left, right), (low, high) = window
             xs, ys = reduced.column_edges[[left, right]], reduced.row_edges[[low, high]]
-            middle = ax.transAxes.inverted().transform(ax.transData.transform(np.column_stack([xs, ys]))).mean(axis=0)
+            corners = ax.transAxes.inverted().transform(ax.transData.transform(np.column_stack([xs, ys]))).clip(0, 1)
+            if np.min(np.ptp(corners, axis=0)) < SEEN_OF_WINDOW * LETTER_SHARE * len(text):
+                continue  # the frame cuts its cells
+            middle = corners.mean(axis=0)
             ax.text(*middle, text, transform=ax.transAxes, ha="center", va="center", fontsize=9,
                     color=letter_colour(colour), path_effects=outline(2, colour))
 
