@@ -77,6 +77,20 @@ bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const Orbit
     });
 }
 
+// The seed's point, whose motion has other events, with those; none if there is none.
+std::optional<OrbitPoint> with_events_of_motion(const Stepper& stepper, const Seed& seed) {
+    const auto changed = with_true_events(stepper.rig(), seed.point);
+    if (!changed) return std::nullopt;
+    if (is_same_motion(changed->orbit, seed.point.orbit)) return seed.point;  // but for rounding
+    const auto found =
+        solve(stepper.rig(), *changed, stepper.window(),
+              seed.kind == CurveKind::grazing
+                  ? stepper.conditions()
+                  : stepper.conditions_and(Condition::at_multiplier(seed.kind == CurveKind::fold ? 1 : -1)));
+    const bool sound = found && find_fault(stepper.rig(), *found).kind == OrbitFault::Kind::none;
+    return sound ? found : std::nullopt;
+}
+
 // Reduces a seed to its smallest period: an orbit of twice the period that ends where its halves become equal
 // ends at a period doubling, and a repeated orbit that grazes does so in each repetition.
 std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
@@ -92,6 +106,11 @@ std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
     }
     const OrbitFault::Kind fault = find_fault(stepper.rig(), result.point).kind;
     if (fault == OrbitFault::Kind::pierces || fault == OrbitFault::Kind::slow) return std::nullopt;
+    if (fault == OrbitFault::Kind::pattern) {
+        const auto motion = with_events_of_motion(stepper, result);
+        if (!motion) return std::nullopt;
+        result.point = *motion;
+    }
     return result;
 }
 

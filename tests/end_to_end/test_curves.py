@@ -377,3 +377,45 @@ def test_a_fold_ends_where_it_merges_with_a_period_doubling(tmp_path):
                                 - data["special_gap_m"][at[0]]) / 0.0315
                          + np.abs(data["point_frequency_hz"][s] - data["special_frequency_hz"][at[0]]) / 35) for one in doublings)
     assert nearest < 0.02
+
+
+SEEDED = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.4
+natural_frequency_hz = 8.0
+damping_ratio = 0.11406990212868583
+[cart]
+amplitude_m = 0.002
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 109162.27529670879
+damping_ns_per_m = 208.18356758739608
+[axes.contact.stiffness_n_per_m]
+from = 10916.22752967088
+to = 3274868.2589012636
+points = 30
+scale = "log"
+[operating_point]
+frequency_ratio = 2.7824849801688627
+
+[axes.gap_ratio]
+from = -0.4766372016374162
+to = 4.0
+points = 30
+[curves]
+max_period = 4
+"""
+
+
+def test_a_curve_begins_at_a_motion_with_all_its_events(tmp_path):
+    """From the period doubling of a branch with one release less than the motion had there, a curve once began: such a point at 1796 times the
+    springs' stiffness, after the motion of which the hammer is 6e-4 A0 elsewhere four cycles later."""
+    path, _ = compute(tmp_path, SEEDED)
+    with h5py.File(path) as file:
+        curve = np.repeat(np.arange(len(file["curve_first"])), file["curve_points"][()])
+        doubled = (file["curve_kind"][()] == DOUBLING) & (file["curve_period"][()] == 4)
+        gap, stiffness, displacement = (file[f"point_{name}"][()][doubled[curve]] for name in (
+            "gap_ratio", "contact_stiffness_n_per_m", "orbit_displacement"))
+    near = (np.abs(stiffness / (0.4 * (16 * np.pi)**2) - 1796.14) < 20) & (gap > 0.2)
+    assert near.sum() > 3 and np.all(displacement[near] < -2.5) and np.all(np.abs(gap[near] - 0.29575) < 1e-4)
