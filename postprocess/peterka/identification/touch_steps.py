@@ -2,8 +2,8 @@
 
 Fits leave out the sample nearest to a touch, so that a touch could end on its wrong side. Force and acceleration jump at a touch, by
 2 zeta v sqrt(ki m), and in few samples they may rise by more in the step after. So the model is compared with the samples around as a whole, its
-touch in each step in turn: a step is told if all others are far less likely, and if the model is about right there; what a real sensor
-smears isn't.
+touch in each step in turn: a step is told if all others are far less likely, with larger errors where the best of them leaves more than noise.
+What a real sensor smears over two steps isn't.
 """
 
 from collections.abc import Mapping
@@ -18,7 +18,7 @@ REACH = 4  # samples on each side
 FRACTIONS = np.linspace(0.02, 0.98, 17)  # of a step
 ROUGH = 0.02  # of the model's range: its errors beside noise
 SURE = 16.0  # -2 ln likelihood above that of the best step: noise prefers a wrong one in less than one of 30,000 cases, Phi(-sqrt(16))
-RIGHT = 4.0  # mean square, in standard deviations
+RIGHT = 4.0  # mean square in standard deviations that noise doesn't exceed: with more left, errors are larger in this ratio
 
 
 def told(problem: Problem, value: Mapping[str, float], number: int, moved: Motion, places: Integers) -> dict[int, float]:
@@ -34,12 +34,12 @@ def told(problem: Problem, value: Mapping[str, float], number: int, moved: Motio
     seen = samples.values[name][near] - problem.as_recorded(value, number, {other: np.zeros(1) for other in problem.names})[name]
     left = seen[:, None, None, :] - model
     error = np.maximum(problem.noise[name] * problem.extra_noise.get(name, 1.0), ROUGH * np.ptp(model, axis=(1, 2, 3)))
-    costs = np.min(np.sum(left**2, axis=3), axis=2) / error[:, None]**2
+    costs = np.min(np.sum(left**2, axis=3), axis=2)
     found = {}
-    for index, row, cost in zip(at, times, costs):
+    for index, row, cost, scale in zip(at, times, costs, error**2):
         best, second = np.argsort(cost)[:2]
         regular = np.ptp(row) < (2 * REACH - 0.5) * step
-        if regular and cost[best] < RIGHT * 2 * REACH and cost[second] > cost[best] + SURE:
+        if regular and cost[second] > cost[best] + SURE * max(scale, cost[best] / (2 * REACH) / RIGHT):
             found[index] = float(row[best] + 0.5 * step)
     return found
 
