@@ -180,8 +180,8 @@ std::optional<Stepper::Here> same_events_after(const Stepper& stepper, const Ste
 // `here` has lost or gained a pair of events. A branch goes on smoothly, but the multipliers beside the birth
 // of a pair change as the square root of the distance, so that a curve of folds or period doublings may turn
 // back there: with the other events it is on the same side. It then goes on where the motion keeps its events.
-// So short a step must have led to the turn that no gap asked for is passed over unseen. False if it wasn't, or
-// if `here` itself doesn't have the events of its motion and there are none such beside it.
+// So short a step must have led to the turn that a gap asked for is hardly passed over unseen. False if it
+// wasn't, or if `here` itself doesn't have the events of its motion and there are none such beside it.
 bool goes_on_from_birth(const Stepper& stepper, Stepper::Here& here) {
     constexpr double longest_at_turn = 1e-4;
     const bool sound = find_fault(stepper.rig(), here.point).kind != OrbitFault::Kind::pattern;

@@ -22,7 +22,7 @@ std::string differing(const map_file::AuditReport& audit) {
     std::vector<std::string> parts;
     if (filled > 0) {
         const std::string what =
-            filled < all ? readable_count(filled) + " of cells" : (all == 1 ? "a cell" : "all of cells");
+            filled < all ? readable_count(filled) + " in cells" : (all == 1 ? "in a cell" : "all in cells");
         parts.push_back(what + " filled from those around");
     }
     if (audit.decided_by_rounding > 0) {

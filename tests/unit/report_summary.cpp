@@ -355,10 +355,10 @@ TEST(Summary, AnAuditTellsFilledCellsApart) {
     EXPECT_TRUE(contains(line_with(told(34, 2, 7), "of these"),
                          "27 of 30 computed cells, 7 of 10 filled from the cells around (70.0 %)"));
     EXPECT_TRUE(contains(line_with(told(34, 2, 7), "other label"),
-                         "6: 3 of cells filled from those around; in 2 a perturbation"));
+                         "6: 3 in cells filled from those around; in 2 a perturbation"));
     EXPECT_TRUE(contains(line_with(told(34, 2, 7), "other label"), "; 1 for another reason"));
-    EXPECT_TRUE(contains(line_with(told(37, 0, 7), "other label"), "3: all of cells filled from those around"));
-    EXPECT_TRUE(contains(line_with(told(39, 0, 9), "other label"), "1: a cell filled from those around"));
+    EXPECT_TRUE(contains(line_with(told(37, 0, 7), "other label"), "3: all in cells filled from those around"));
+    EXPECT_TRUE(contains(line_with(told(39, 0, 9), "other label"), "1: in a cell filled from those around"));
 }
 
 TEST(Summary, AnAuditSaysWhereRoundingDecides) {
