@@ -419,3 +419,42 @@ def test_a_curve_begins_at_a_motion_with_all_its_events(tmp_path):
             "gap_ratio", "contact_stiffness_n_per_m", "orbit_displacement"))
     near = (np.abs(stiffness / (0.4 * (16 * np.pi)**2) - 1796.14) < 20) & (gap > 0.2)
     assert near.sum() > 3 and np.all(displacement[near] < -2.5) and np.all(np.abs(gap[near] - 0.29575) < 1e-4)
+
+
+CROSSED = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.4
+natural_frequency_hz = 8.0
+damping_ratio = 0.05484167275935482
+[cart]
+amplitude_m = 0.002
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 314676.5705367602
+damping_ns_per_m = 554.8485271146909
+[axes.frequency_ratio]
+from = 0.5
+to = 4.5
+points = 30
+
+[axes.gap_ratio]
+from = -0.3962648029194704
+to = 4.0
+points = 30
+[curves]
+max_period = 4
+gap_ratio = [1.3106542022942018]
+"""
+
+
+def test_a_border_is_told_with_the_events_of_its_motion(tmp_path):
+    """Between two points of a grazing curve with other events, its place at a gap was told with those of one of them: 2.31047, where the
+    multiplier is -5.9. The one at 2.30860 is proved in interval arithmetic."""
+    path, _ = compute(tmp_path, CROSSED + '[certificate]\ncells = "all"\n')
+    with h5py.File(path) as file:
+        grazes = (file["curve_kind"][()] == GRAZING)[file["crossing_curve"][()]]
+        frequency, multiplier, proved = (file[f"crossing_{name}"][()][grazes] for name in ("frequency_ratio", "multiplier", "certified"))
+    at = np.argmin(np.abs(frequency - 2.3085998933))
+    assert abs(frequency[at] - 2.3085998933) < 1e-9 and proved[at] > 0
+    assert np.all(np.abs(frequency - 2.310466) > 1e-4) and np.all(np.abs(multiplier) < 1)
