@@ -164,6 +164,16 @@ Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const 
     return here;
 }
 
+// In shares of the window.
+Eigen::Vector2d plane_way(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
+    return {(to.place.column - from.place.column) / stepper.window().column,
+            (to.place.row - from.place.row) / stepper.window().row};
+}
+Eigen::Vector2d plane_direction(const Stepper::Here& here) {
+    const PlanePoint along = Stepper::along(here.tangent);
+    return {along.column, along.row};
+}
+
 double duration_at(const Stepper& stepper, const OrbitPoint& point) {
     return stepper.rig().at(point.place).duration_of(point.orbit.period);
 }
@@ -177,15 +187,17 @@ std::optional<Stepper::Here> same_events_after(const Stepper& stepper, const Ste
     return same ? there : std::nullopt;
 }
 
-// `here` has lost or gained a pair of events. A branch goes on smoothly, but the multipliers beside the birth
-// of a pair change as the square root of the distance, so that a curve of folds or period doublings may turn
-// back there: with the other events it is on the same side. It then goes on where the motion keeps its events.
-// So short a step must have led to the turn that a gap asked for is hardly passed over unseen. False if it
-// wasn't, or if `here` itself doesn't have the events of its motion and there are none such beside it.
-bool goes_on_from_birth(const Stepper& stepper, Stepper::Here& here) {
+// `here`, reached from `from`, has lost or gained a pair of events. A branch goes on smoothly, but the
+// multipliers beside the birth of a pair change as the square root of the distance, so that a curve of folds or
+// period doublings may turn back there: with the other events it is on the same side. If it already lies behind
+// `from`, it goes away from there; otherwise it goes on where the motion keeps its events. So short a step must
+// have led to the turn that a gap asked for is hardly passed over unseen. False if it wasn't, or if `here`
+// itself doesn't have the events of its motion and there are none such beside it.
+bool goes_on_from_birth(const Stepper& stepper, const OrbitPoint& from, Stepper::Here& here) {
     constexpr double longest_at_turn = 1e-4;
     const bool sound = find_fault(stepper.rig(), here.point).kind != OrbitFault::Kind::pattern;
-    for (const bool turns : {false, true}) {
+    const bool is_behind = plane_way(stepper, from, here.point).dot(plane_direction(here)) < 0;
+    for (const bool turns : {is_behind, !is_behind}) {
         Stepper::Here way = here;
         if (turns) way.tangent = -way.tangent;
         const auto there = same_events_after(stepper, way);
@@ -207,7 +219,7 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
     const auto settled = solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     if (!settled) return false;
     here = ahead_from(stepper, *settled, Stepper::along(from.tangent));
-    return goes_on_from_birth(stepper, here);
+    return goes_on_from_birth(stepper, from.point, here);
 }
 
 }  // namespace
@@ -237,7 +249,7 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
         if ((before > 0) != (after > 0) && std::max(std::abs(before), std::abs(after)) > rounding) return false;
     }
     here = ahead_from(stepper, *settled, ahead);
-    return goes_on_from_birth(stepper, here);
+    return goes_on_from_birth(stepper, from.point, here);
 }
 
 }  // namespace peterka::curves

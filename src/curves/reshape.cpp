@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "curves/motion_events.hpp"
 #include "curves/stroboscopic.hpp"
@@ -74,6 +75,32 @@ bool is_same_motion(const Orbit& a, const Orbit& b) {
     return has_same_events(a, b) && std::ranges::equal(a.events, b.events, [&](const Event& x, const Event& y) {
                return std::abs(x.velocity - y.velocity) <= rounding;
            });
+}
+
+std::optional<OrbitPoint> told_like(const Rig& rig, const OrbitPoint& point, const Orbit& like) {
+    const double cycle = rig.at(point.place).duration_of(1);
+    std::optional<OrbitPoint> best;
+    double nearest = std::numeric_limits<double>::infinity();
+    OrbitPoint told = point;
+    std::vector<Event>& events = told.orbit.events;
+    for (std::size_t turn = 0; turn < point.orbit.events.size(); ++turn) {
+        if (has_same_events(told.orbit, like)) {
+            const double shift = cycle * std::round((like.events.front().time - events.front().time) / cycle);
+            double distance = 0;
+            for (std::size_t i = 0; i < events.size(); ++i) {
+                events[i].time += shift;
+                distance += std::hypot(events[i].time - like.events[i].time,
+                                       events[i].velocity - like.events[i].velocity);
+            }
+            if (distance < nearest) {
+                nearest = distance;
+                best = told;
+            }
+        }
+        events.front().time += static_cast<double>(point.orbit.period) * cycle;
+        std::ranges::rotate(events, events.begin() + 1);
+    }
+    return best;
 }
 
 OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced) {

@@ -20,6 +20,10 @@ namespace peterka::curves {
 // The same events, with the same velocities up to rounding.
 [[nodiscard]] bool is_same_motion(const Orbit& a, const Orbit& b);
 
+// The point told from another of its orbit's cycles on, as near as possible to an orbit with the same events;
+// none if its events are others.
+[[nodiscard]] std::optional<OrbitPoint> told_like(const Rig& rig, const OrbitPoint& point, const Orbit& like);
+
 // The point with a grazing added where a flight reaches furthest.
 [[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced);
 

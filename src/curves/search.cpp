@@ -244,10 +244,14 @@ class CurveSearch {
         for (const Numbers& numbers : results) {
             for (NumberReader reader(numbers); !reader.done();) {
                 const UnstableBranch branch = unpack_branch(reader);
-                const bool is_known = std::ranges::any_of(found_.branches, [&](const UnstableBranch& known) {
-                    return is_same_branch(known, branch);
+                const auto known = std::ranges::find_if(found_.branches, [&](const UnstableBranch& other) {
+                    return is_same_branch(other, branch);
                 });
-                if (!is_known) found_.branches.push_back(branch);
+                if (known == found_.branches.end()) {
+                    found_.branches.push_back(branch);
+                } else if (lost_ends(branch) < lost_ends(*known)) {
+                    *known = branch;
+                }
             }
         }
         std::ranges::stable_sort(found_.branches, {}, [](const UnstableBranch& branch) {

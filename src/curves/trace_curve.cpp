@@ -7,10 +7,12 @@
 #include <optional>
 
 #include "curves/branch_event.hpp"
+#include "curves/gap_crossings.hpp"
 #include "curves/inflection.hpp"
 #include "curves/merging.hpp"
 #include "curves/reshape.hpp"
 #include "curves/stroboscopic.hpp"
+#include "curves/turn_back.hpp"
 
 namespace peterka::curves {
 
@@ -31,14 +33,15 @@ double dot(const PlanePoint& a, const PlanePoint& b) {
 class HalfCurve {
   public:
     HalfCurve(const Rig& rig, const Seed& seed, const Window& window)
-        : rig_(rig),
+        : crossings({rig, window.size(), conditions_of(seed.kind)}, window, seed.kind),
+          rig_(rig),
           kind_(seed.kind),
           window_(window),
           stepper_(rig, window.size(), conditions_of(seed.kind)) {}
 
     std::vector<CurvePoint> points;
     std::vector<Special> specials;
-    std::vector<Crossing> crossings;
+    GapCrossings crossings;
     CurveEnd end = CurveEnd::lost;
 
     void trace(const Stepper::Here& seed) {
@@ -55,36 +58,18 @@ class HalfCurve {
                 stepper_.set_step(stepper_.step() / 8);
                 continue;
             }
-            look_for_specials(here, *there);
-            look_for_crossings(here.point, there->point);
-            if (bounds_nothing(there->point)) return end_at_last_special();
-            keep(there->point);
             if (count > 4 && closes(seed, here, *there)) {
-                end = CurveEnd::closed;
+                look_for_specials(here, seed);
+                crossings.look(seed, here.point);  // the first point is told already
                 keep(seed.point);
+                end = CurveEnd::closed;
                 return;
             }
+            look_for_specials(here, *there);
+            crossings.look(here, there->point);
+            if (bounds_nothing(there->point)) return end_at_last_special();
+            keep(there->point);
             here = *there;
-        }
-    }
-
-    // A point that lies at a requested gap belongs to the step that ends there.
-    void look_for_crossings(const OrbitPoint& here, const OrbitPoint& there) {
-        for (const double gap : window_.gaps) {
-            const std::size_t axis = window_.gap_axis;
-            const double tiny = 1e-12 * coordinate(window_.size(), axis);
-            const double before = coordinate(here.place, axis) - gap;
-            const double after = coordinate(there.place, axis) - gap;
-            const bool arrives = std::abs(after) <= tiny;
-            if (!arrives && (std::abs(before) <= tiny || (before > 0) == (after > 0))) continue;
-            const Condition line = Condition::on_line(moved({}, axis, gap), moved({}, axis, 1));
-            const bool same_events = !arrives && has_same_events(here.orbit, there.orbit);
-            auto found =
-                motion_with(same_events ? between(here, there, before / (before - after)) : there, line);
-            if (!found && !same_events) found = motion_with(here, line);
-            if (!found) continue;
-            const CurvePoint at = curve_point(rig_, *found, kind_);
-            crossings.push_back({at.place, at.multiplier, at.peak_force, found->orbit});
         }
     }
 
@@ -108,19 +93,6 @@ class HalfCurve {
         return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
     }
 
-    // The same with the events of the true motion; none if it has a fault.
-    std::optional<OrbitPoint> motion_with(const OrbitPoint& guess, const Condition& condition) const {
-        auto found = solve_with(guess, condition);
-        if (!found || !has_other_events(*found)) return found;
-        const auto changed = with_true_events(rig_, *found);
-        if (!changed || is_same_motion(changed->orbit, found->orbit)) return found;
-        found = solve_with(*changed, condition);
-        return found && has_other_events(*found) ? std::nullopt : found;
-    }
-    [[nodiscard]] bool has_other_events(const OrbitPoint& point) const {
-        return find_fault(rig_, point).kind == OrbitFault::Kind::pattern;
-    }
-
     enum class Step : std::uint8_t { goes_on, ends, unclear };
 
     // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
@@ -136,7 +108,7 @@ class HalfCurve {
                 guess ? solve_with(*guess, Condition::without_acceleration(guess->orbit.grazing())) : guess;
             if (!last || !window_.holds(last->place)) return Step::unclear;
             add_special(SpecialKind::inflection, *last);
-            look_for_crossings(here.point, *last);
+            crossings.look(here, *last);
             end = CurveEnd::special;
             return Step::ends;
         }
@@ -144,7 +116,7 @@ class HalfCurve {
             const auto last = merging_fold(stepper_, here.point, there.point);
             if (!last || !window_.holds(last->place)) return Step::unclear;
             add_special(SpecialKind::generalized_flip, *last);
-            look_for_crossings(here.point, *last);
+            crossings.look(here, *last);
             end = CurveEnd::special;
             return Step::ends;
         }
@@ -159,7 +131,7 @@ class HalfCurve {
                                 : (kind_ == CurveKind::grazing ? SpecialKind::double_grazing
                                                                : SpecialKind::flip_grazing),
                             *last);
-                look_for_crossings(here.point, *last);
+                crossings.look(here, *last);
                 end = CurveEnd::special;
                 return Step::ends;
             }
@@ -169,7 +141,7 @@ class HalfCurve {
             const auto last = at_border(here.point, there.point);
             if (last) {
                 keep(*last);
-                look_for_crossings(here.point, *last);
+                crossings.look(here, *last);
             }
             end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
@@ -238,41 +210,23 @@ class HalfCurve {
     void look_for_cusp(const Stepper::Here& here, const Stepper::Here& there) {
         const PlanePoint before = Stepper::along(here.tangent);
         if (dot(before, Stepper::along(there.tangent)) > 0) return;
-        constexpr int most_halvings = 40;
-        OrbitPoint low = here.point;
-        OrbitPoint high = there.point;
-        for (int halving = 0; halving < most_halvings; ++halving) {
-            const auto middle = solve(rig_, between(low, high, 0.5), window_.size(), stepper_.conditions());
-            if (!middle) return;
-            const Stepper::Here at = stepper_.at(*middle, here.tangent);
-            (dot(before, Stepper::along(at.tangent)) > 0 ? low : high) = *middle;
-        }
-        add_special(SpecialKind::cusp, low);
+        const auto cusp = last_before_turn(stepper_, here, there.point, [&](const Eigen::VectorXd& tangent) {
+            return dot(before, Stepper::along(tangent));
+        });
+        if (cusp) add_special(SpecialKind::cusp, *cusp);
     }
 
     void end_at_last_special() { end = specials.empty() ? CurveEnd::lost : CurveEnd::special; }
 
+    // Whether a step passes the seed.
     bool closes(const Stepper::Here& seed, const Stepper::Here& here, const Stepper::Here& there) const {
-        if (!has_same_events(seed.point.orbit, there.point.orbit)) return false;
-        const Eigen::VectorXd sizes = sizes_of_unknowns(rig_, seed.point, window_.size());
-        const auto along = [&](const Stepper::Here& from) {
-            const Unknowns unknowns(from.point.orbit);
-            Eigen::VectorXd way = Eigen::VectorXd::Zero(unknowns.size());
-            for (std::size_t i = 0; i < from.point.orbit.events.size(); ++i) {
-                const Event& now = from.point.orbit.events[i];
-                const Event& then = seed.point.orbit.events[i];
-                way[unknowns.time(i)] = now.time - then.time;
-                if (now.kind != EventKind::graze) way[unknowns.velocity(i)] = now.velocity - then.velocity;
-            }
-            way[unknowns.column()] = from.point.place.column - seed.point.place.column;
-            way[unknowns.row()] = from.point.place.row - seed.point.place.row;
-            return Eigen::VectorXd(way.cwiseQuotient(sizes));
-        };
-        if (!has_same_events(seed.point.orbit, here.point.orbit)) return false;
-        const Eigen::VectorXd before = along(here);
-        const Eigen::VectorXd now = along(there);
-        return before.dot(seed.tangent) < 0 && now.dot(seed.tangent) >= 0 &&
-               now.norm() < (now - before).norm() * 1.5;
+        const auto before = told_like(rig_, here.point, seed.point.orbit);
+        if (!before) return false;
+        const auto now = told_like(rig_, there.point, before->orbit);
+        if (!now) return false;
+        const Eigen::VectorXd from = way_between(rig_, seed.point, *before, window_.size());
+        const Eigen::VectorXd to = way_between(rig_, seed.point, *now, window_.size());
+        return from.dot(seed.tangent) < 0 && to.dot(seed.tangent) >= 0 && to.norm() < (to - from).norm() * 1.5;
     }
 
     const Rig& rig_;
@@ -309,7 +263,7 @@ Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     curve.period = seed.point.orbit.period;
 
     Stepper::Here start = forward.stepper().at(seed.point);
-    forward.look_for_crossings(seed.point, seed.point);
+    forward.crossings.look(start, seed.point);
     forward.trace(start);
     HalfCurve backward(rig, seed, window);
     if (forward.end != CurveEnd::closed) {
@@ -322,8 +276,9 @@ Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     curve.points.push_back(curve_point(rig, seed.point, seed.kind));
     curve.points.insert(curve.points.end(), forward.points.begin(), forward.points.end());
     curve.specials = backward.specials;
-    curve.crossings = backward.crossings;
-    curve.crossings.insert(curve.crossings.end(), forward.crossings.begin(), forward.crossings.end());
+    curve.crossings = backward.crossings.found();
+    const std::vector<Crossing>& more = forward.crossings.found();
+    curve.crossings.insert(curve.crossings.end(), more.begin(), more.end());
     curve.specials.insert(curve.specials.end(), forward.specials.begin(), forward.specials.end());
     return curve;
 }

@@ -38,6 +38,13 @@ BranchEnd end_at(CurveKind kind) {
     return kind == CurveKind::period_doubling ? BranchEnd::period_doubling : BranchEnd::grazing;
 }
 
+// The gap that a point of a curve was solved for, to the last bit.
+double requested_gap(const Window& window, const PlanePoint& place) {
+    const double at = coordinate(place, window.gap_axis);
+    if (window.gaps.empty()) return at;
+    return *std::ranges::min_element(window.gaps, {}, [at](double gap) { return std::abs(gap - at); });
+}
+
 // The unstable branches that begin at a point of a curve, on either side of it and at its gap, and those that
 // continue them beyond grazings.
 class BranchWalk {
@@ -47,6 +54,7 @@ class BranchWalk {
           window_(window),
           seed_(seed),
           axis_(1 - window.gap_axis),
+          gap_(requested_gap(window, seed.point.place)),
           stepper_(rig, window.size(), {Condition::on_line(seed.point.place, moved({}, window.gap_axis, 1))}) {}
 
     std::vector<UnstableBranch> run() {
@@ -74,7 +82,7 @@ class BranchWalk {
         if (fault == OrbitFault::Kind::pierces || fault == OrbitFault::Kind::slow || is_stable(first->point))
             return;
         UnstableBranch branch;
-        branch.gap = coordinate(at.point.place, window_.gap_axis);
+        branch.gap = gap_;
         branch.impacts = first->point.orbit.impacts();
         branch.period = first->point.orbit.period;
         branch.begins = end_at(at.kind);
@@ -155,6 +163,7 @@ class BranchWalk {
     const Window& window_;
     Seed seed_;
     std::size_t axis_;  // along which branches are followed, at a fixed gap
+    double gap_;
     Stepper stepper_;
     std::vector<UnstableBranch> found_;
 };
@@ -167,13 +176,22 @@ std::vector<UnstableBranch> unstable_branches(const Rig& rig, const Seed& seed, 
 
 bool is_same_branch(const UnstableBranch& a, const UnstableBranch& b) {
     constexpr double near = 1e-7;
+    constexpr double alike = 1e-3;
     if (a.gap != b.gap || a.impacts != b.impacts || a.period != b.period) return false;
-    const auto meet = [&](const BranchPoint& p, const BranchPoint& q) {
-        return std::abs(p.along - q.along) < near * std::max(std::abs(p.along), 1e-3) &&
-               std::abs(p.multiplier - q.multiplier) < 1e-3 * (1 + std::abs(p.multiplier));
+    const auto is_near = [](double x, double y) {
+        return std::abs(x - y) < alike * (1 + std::min(std::abs(x), std::abs(y)));
     };
-    return (meet(a.points.front(), b.points.back()) && meet(a.points.back(), b.points.front())) ||
-           (meet(a.points.front(), b.points.front()) && meet(a.points.back(), b.points.back()));
+    // at and beside a grazing the multiplier jumps
+    const auto is_smooth = [](BranchEnd end) { return end != BranchEnd::grazing && end != BranchEnd::lost; };
+    const auto meet = [&](const BranchPoint& p, BranchEnd of_p, const BranchPoint& q, BranchEnd of_q) {
+        return std::abs(p.along - q.along) < near * std::max(std::abs(p.along), 1e-3) &&
+               (std::isnan(p.peak_force) || is_near(p.peak_force, q.peak_force)) &&  // none on a rigid stop
+               (!is_smooth(of_p) || !is_smooth(of_q) || is_near(p.multiplier, q.multiplier));
+    };
+    return (meet(a.points.front(), a.begins, b.points.back(), b.ends) &&
+            meet(a.points.back(), a.ends, b.points.front(), b.begins)) ||
+           (meet(a.points.front(), a.begins, b.points.front(), b.begins) &&
+            meet(a.points.back(), a.ends, b.points.back(), b.ends));
 }
 
 }  // namespace peterka::curves

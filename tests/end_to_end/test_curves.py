@@ -3,6 +3,7 @@
 import contextlib
 import re
 import subprocess
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -13,6 +14,7 @@ import jobs
 import launch
 import map_contents
 
+ROOT = Path(__file__).resolve().parents[2]
 FOLD, DOUBLING, GRAZING = range(3)
 
 
@@ -458,3 +460,106 @@ def test_a_border_is_told_with_the_events_of_its_motion(tmp_path):
     at = np.argmin(np.abs(frequency - 2.3085998933))
     assert abs(frequency[at] - 2.3085998933) < 1e-9 and proved[at] > 0
     assert np.all(np.abs(frequency - 2.310466) > 1e-4) and np.all(np.abs(multiplier) < 1)
+
+
+RANDOM_RIG = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.4
+natural_frequency_hz = 8.0
+damping_ratio = {}
+[cart]
+amplitude_m = 0.002
+[contact]
+{}
+[axes.frequency_ratio]
+from = 0.5
+to = 4.5
+points = 30
+[axes.gap_ratio]
+from = {}
+to = 4.0
+points = 30
+[curves]
+max_period = 4
+gap_ratio = [{}]
+[certificate]
+cells = "all"
+"""
+YIELDS = 'law = "kelvin_voigt"\nstiffness_n_per_m = {}\ndamping_ns_per_m = {}'
+FAST = (0.05484167275935482, YIELDS.format(314676.5705367602, 554.8485271146909), -0.3962648029194704)
+
+
+@pytest.mark.parametrize(("rig", "gap", "kind", "period", "places"), [
+    # a curve that turns back just above the gap: Newton's method went to the second place twice
+    ((0.010597957495323893, 'law = "restitution"\ncoefficient = 0.05694967719568127', 0.0), 2.76, GRAZING, 2,
+     [2.088903703, 2.102301259, 2.105495818, 2.128560061, 2.133018532, 2.155636220]),
+    # one that turns within a step
+    ((0.022378300075827126, YIELDS.format(32314.371731443767, 12.037526380692242), -0.2691893615995848), 0.20042146817636952, DOUBLING, 2,
+     [2.711896406, 2.929069867, 2.931665393]),
+    # one that closes, and went on to beyond its first point
+    ((0.08806410947240538, YIELDS.format(48743.61709329642, 45.8841967530292), -0.1757584857072546), 0.24181736286347089, FOLD, 1,
+     [0.759557156, 0.769658098]),
+    # one that turns where the stop's force falls to 0 within a contact, and came back on itself
+    (FAST, 0.614876, FOLD, 2, [2.633136276, 2.633166913]),
+    # one that closes with its orbits told from another cycle on, and went round again and again
+    (FAST, 1.0, DOUBLING, 2, [2.612936561, 2.650389029]),
+    # one that was traced twice, as its orbits change fast at its middle
+    (FAST, -0.22, GRAZING, 2, [3.140272557]),
+])
+def test_each_border_is_told_once(tmp_path, rig, gap, kind, period, places):
+    """At a gap, near to these; all proved in interval arithmetic but one, on an orbit of which errors grow too fast."""
+    path, _ = compute(tmp_path, RANDOM_RIG.format(*rig, gap))
+    with h5py.File(path) as file:
+        curve, frequency, proved = (file[f"crossing_{name}"][()] for name in ("curve", "frequency_ratio", "certified"))
+        own = (file["curve_kind"][()][curve] == kind) & (file["curve_period"][()][curve] == period)
+    own &= (frequency > places[0] - 0.05) & (frequency < places[-1] + 0.05)
+    assert np.sort(frequency[own]) == pytest.approx(places, abs=1e-8)
+    assert np.all((proved[own] > 0) | (np.abs(frequency[own] - 2.105495818) < 1e-8))
+
+
+RIGID = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.5
+natural_frequency_hz = 10.0
+damping_ratio = 0.03
+[cart]
+amplitude_m = 1e-3
+[contact]
+law = "restitution"
+coefficient = 0.5
+[axes.frequency_ratio]
+from = 0.7
+to = 3.1
+points = 64
+[axes.gap_ratio]
+from = 0.3
+to = 2.0
+points = 64
+[curves]
+max_period = 4
+gap_ratio = [0.3, 0.7, 1.0, 1.5, 2.0]
+"""
+
+
+@pytest.mark.parametrize(("job", "gaps"), [
+    ((ROOT / "jobs" / "curves_170mm.toml").read_text().replace('rig = "rigs', f'rig = "{ROOT}/jobs/rigs'), [0, 1e-3 / 0.89e-3, 3e-3 / 0.89e-3]),
+    (RIGID, [0.3, 0.7, 1.0, 1.5, 2.0])])
+def test_unstable_branches_are_stored_once_at_the_gaps_of_the_job(tmp_path, job, gaps):
+    """Those at gap 0 had gaps of 1e-24 and less, and five were stored twice, from both of their ends; so was one between two grazings at 3 mm. On the
+    rigid stop one that can't be followed up to a grazing, where its multipliers have no bound, is the same that begins there."""
+    path, _ = compute(tmp_path, job)
+    with h5py.File(path) as file:
+        gap, impacts, period, first, count, begin, end = (
+            file[f"branch_{name}"][()] for name in ("gap_ratio", "impacts", "period", "first", "points", "begin", "end"))
+        frequency = file["branch_frequency_ratio"][()]
+    assert np.unique(gap) == pytest.approx(gaps, rel=1e-15, abs=0)
+    ends = np.sort(np.column_stack([frequency[first], frequency[first + count - 1]]), axis=1)
+    order = np.lexsort((ends[:, 1], ends[:, 0], period, impacts, gap))
+    alike = np.all(np.diff(np.column_stack([gap, impacts, period])[order], axis=0) == 0, axis=1)
+    alike &= np.all(np.abs(np.diff(ends[order], axis=0)) < 1e-6, axis=1)
+    assert len(gap) > 50 and not alike.any()
+    if job == RIGID:
+        kinds = np.concatenate([begin, end])[np.abs(np.concatenate([frequency[first], frequency[first + count - 1]]) - 0.70774403772) < 1e-8]
+        assert kinds.tolist() == [3] and (np.concatenate([begin, end]) == 4).sum() < len(gap) / 4

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Points of curves, each against the motion that begins there: those of folds and period doublings of random rigs have to return after
 their q cycles (curve_points.cpp), within 1e-5 (1 + velocity). The first and the last two of a curve aren't counted: at a grazing, where many
-curves end, motions are as sensitive as one likes.
+curves end, motions are as sensitive as one likes. Their places at 99 gaps are compared with each other, too: of one kind and period none may be
+told twice.
 
     PETERKA_ENDURANCE_RIGS=5 tests/endurance.sh curve_points     instead of 30
 """
@@ -23,6 +24,7 @@ RIGS = int(os.environ.get("PETERKA_ENDURANCE_RIGS", "30"))
 SEED = int(os.environ.get("PETERKA_ENDURANCE_SEED", "2028"))
 BUILD = Path(os.environ["PETERKA_BINARY"]).parent
 POINTS, ENDS, GRAZING, WRONG = 30, 2, 2, 1e-5
+GAPS, SAME = 99, 1e-8  # gaps at which places are told, and how near two of them are one, relative
 MASS, HERTZ, AMPLITUDE = 0.4, 8.0, 2e-3  # numbers that scales alone depend on
 STIFFNESS, IMPEDANCE = MASS * (2 * np.pi * HERTZ)**2, MASS * 2 * np.pi * HERTZ
 JOB = f"""schema = 1
@@ -42,6 +44,7 @@ to = 4.0
 points = {POINTS}
 [curves]
 max_period = 4
+gap_ratio = {{gaps!r}}
 """
 AXIS = "[axes.{}]\nfrom = {!r}\nto = {!r}\npoints = " + f"{POINTS}\n"
 
@@ -64,7 +67,23 @@ def job_of(rig):
         axis = AXIS.format("contact.coefficient", 0.0, 0.95) if rigid else (
             AXIS.format("contact.stiffness_n_per_m", 0.1 * kappa * STIFFNESS, 30 * kappa * STIFFNESS) + 'scale = "log"\n')
         axis += f'[operating_point]\nfrequency_ratio = {rig["frequency"]!r}\n'
-    return JOB.format(stop=stop, axis=axis, ratio=rig["ratio"], low=rig["low"])
+    gaps = np.linspace(rig["low"], 4.0, GAPS + 2)[1:-1].tolist()
+    return JOB.format(stop=stop, axis=axis, ratio=rig["ratio"], low=rig["low"], gaps=gaps)
+
+
+def told_twice(file):
+    """(number of places at gaps, of those told twice)"""
+    if "crossing" not in file:
+        return 0, 0
+    curve = file["crossing_curve"][()]
+    along = next(item[()] for name, item in file.items() if name.startswith("crossing_")
+                 and name.endswith(("frequency_ratio", "stiffness_n_per_m", "coefficient")))
+    keys = file["curve_kind"][()][curve], file["curve_period"][()][curve], file["crossing_gap_ratio"][()]
+    order = np.lexsort((along, *reversed(keys)))
+    same = np.abs(np.diff(along[order])) < SAME * along[order][1:]
+    for key in keys:
+        same &= np.diff(key[order]) == 0
+    return len(curve), int(same.sum())
 
 
 def numbers_of(file, rig):
@@ -90,7 +109,7 @@ def main():
         parts.skip(f"{BUILD} is no build folder: the attack is a program of its own")
     subprocess.run(["cmake", "--build", BUILD, "--target", "curve_points"], check=True, stdout=subprocess.DEVNULL)
     chance = np.random.default_rng(SEED)
-    tried = wrong = 0
+    tried = wrong = places = twice = 0
     for number in range(RIGS):
         rig = random_rig(chance, number)
         with tempfile.TemporaryDirectory() as folder:
@@ -98,17 +117,19 @@ def main():
             finished = launch.run("run", "job.toml", "--quiet", cwd=folder)
             assert finished.returncode == 0, finished.stderr
             with h5py.File(Path(folder) / "job.h5") as file:
+                told, again = told_twice(file)
                 lines, counts = numbers_of(file, rig) if "curve" in file else (np.zeros((0, 9)), np.zeros(0, dtype=bool))
         lines = lines[counts]
         text = "".join(f"{one[0]!r} {one[1]:.0f} {one[2]!r} {one[3]!r} {one[4]!r} {one[5]!r} {one[6]:.0f} {one[7]!r} {one[8]!r}\n" for one in lines.tolist())
-        told = subprocess.run([BUILD / "tests" / "curve_points"], input=text, check=True, text=True, stdout=subprocess.PIPE).stdout
-        missed = np.array(told.split(), dtype=float)
+        answers = subprocess.run([BUILD / "tests" / "curve_points"], input=text, check=True, text=True, stdout=subprocess.PIPE).stdout
+        missed = np.array(answers.split(), dtype=float)
         assert len(missed) == len(lines)
         bad = np.flatnonzero(missed > WRONG * (1 + np.abs(lines[:, 8])))
-        print(f"rig {number}: {len(lines)} points, {len(bad)} wrong", *(f"\n  {missed[at]:.2e}: {lines[at].tolist()}" for at in bad[:3]), flush=True)
-        tried, wrong = tried + len(lines), wrong + len(bad)
+        print(f"rig {number}: {len(lines)} points, {len(bad)} wrong, {told} places, {again} twice", *(f"\n  {missed[at]:.2e}: {lines[at].tolist()}" for at in bad[:3]), flush=True)
+        tried, wrong, places, twice = tried + len(lines), wrong + len(bad), places + told, twice + again
     parts.row(f"a point of a fold or a period doubling, against the motion that begins there: {RIGS} random rigs, over frequency, stiffness or coefficient "
               "and gap", tried, f"{wrong} don't return")
+    parts.row(f"a place of a curve at a gap, against the others: the same rigs, {GAPS} gaps each", places, f"{twice} told twice")
     return 1 if wrong or not tried else 0
 
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace peterka::curves {
 namespace {
@@ -46,6 +48,27 @@ TEST(KnownCurves, APointLiesOnACurveOfItsKindPeriodAndOrbit) {
     EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 1, at(2, 1, 1, 15), window));
     EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1, 1.2, 15), window));
     EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1, 1, 16), window));
+}
+
+// Along (1, 1) to (3, 1); of such a curve, only some points are recognized if their traces are off.
+Curve straight(const std::vector<std::size_t>& off) {
+    Curve curve;
+    curve.kind = CurveKind::fold;
+    curve.period = 2;
+    for (std::size_t i = 0; i <= 12; ++i) {
+        const double share = static_cast<double>(i) / 12;
+        const double trace = 2 * share + (std::ranges::count(off, i) > 0 ? 1 : 0);
+        curve.points.push_back(at(1 + 2 * share, 1, trace, 10 + 10 * share));
+    }
+    return curve;
+}
+
+TEST(KnownCurves, ACurveIsKnownByMostOfItsPoints) {
+    const PlanePoint window{4, 4};
+    EXPECT_TRUE(is_known({corner()}, straight({}), window));
+    EXPECT_TRUE(is_known({corner()}, straight({5, 6, 7}), window));  // around its middle
+    EXPECT_FALSE(is_known({corner()}, straight({1, 2, 3, 4, 5, 8, 9, 10, 11}), window));
+    EXPECT_FALSE(is_known({}, straight({}), window));
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+#include "curves/gap_crossings.hpp"
+
+#include <cmath>
+
+#include "curves/reshape.hpp"
+#include "curves/turn_back.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+bool is_within(const Eigen::VectorXd& way, const Eigen::VectorXd& chord) {
+    constexpr double rounding = 1e-6;
+    const double share = way.dot(chord) / chord.squaredNorm();
+    return share > -rounding && share < 1 + rounding;
+}
+
+}  // namespace
+
+void GapCrossings::look(const Stepper::Here& here, const OrbitPoint& there) {
+    if (window_.gaps.empty()) return;
+    const auto back = turn(here, there);
+    if (back) look_between(here.point, *back);
+    look_between(back ? *back : here.point, there);
+}
+
+// Where the curve turns back along the gap between two points: there it may meet a gap twice.
+std::optional<OrbitPoint> GapCrossings::turn(const Stepper::Here& here, const OrbitPoint& there) const {
+    if (!has_same_events(here.point.orbit, there.orbit)) return std::nullopt;
+    const auto along = [&](const Eigen::VectorXd& tangent) {
+        return coordinate(Stepper::along(tangent), window_.gap_axis);
+    };
+    if ((along(here.tangent) > 0) == (along(stepper_.at(there, here.tangent).tangent) > 0)) return std::nullopt;
+    return last_before_turn(stepper_, here, there, along);
+}
+
+void GapCrossings::look_between(const OrbitPoint& here, const OrbitPoint& there) {
+    for (const double gap : window_.gaps) {
+        const double tiny = 1e-12 * coordinate(window_.size(), window_.gap_axis);
+        const double before = gap_of(here) - gap;
+        const double after = gap_of(there) - gap;
+        const bool arrives = std::abs(after) <= tiny;
+        if (!arrives && (std::abs(before) <= tiny || (before > 0) == (after > 0))) continue;
+        const auto found = arrives ? motion_at(gap, there) : crossing(here, there, gap);
+        if (!found) continue;
+        const CurvePoint at = curve_point(stepper_.rig(), *found, kind_);
+        found_.push_back({at.place, at.multiplier, at.peak_force, found->orbit});
+    }
+}
+
+// Of points on different sides of a gap. Newton's method may go to a crossing beside them.
+std::optional<OrbitPoint> GapCrossings::crossing(OrbitPoint low, OrbitPoint high, double gap) const {
+    constexpr int most_halvings = 40;
+    if (!has_same_events(low.orbit, high.orbit)) {
+        const auto found = motion_at(gap, high);
+        return found ? found : motion_at(gap, low);
+    }
+    const auto above = [&](const OrbitPoint& point) { return gap_of(point) - gap; };
+    for (int halving = 0; halving < most_halvings; ++halving) {
+        const double share = above(low) / (above(low) - above(high));
+        const auto found = motion_at(gap, between(low, high, share));
+        if (found && lies_between(low, high, *found)) return found;
+        const auto middle =
+            solve(stepper_.rig(), between(low, high, 0.5), stepper_.window(), stepper_.conditions());
+        if (!middle || !has_same_events(middle->orbit, low.orbit))
+            return found && lies_between_in_plane(low, high, *found) ? found : std::nullopt;
+        ((above(*middle) > 0) == (above(low) > 0) ? low : high) = *middle;
+    }
+    return std::nullopt;
+}
+
+// With the events of the true motion; none if it has a fault.
+std::optional<OrbitPoint> GapCrossings::motion_at(double gap, const OrbitPoint& guess) const {
+    const auto conditions = stepper_.conditions_and(
+        Condition::on_line(moved({}, window_.gap_axis, gap), moved({}, window_.gap_axis, 1)));
+    const auto solve_with = [&](const OrbitPoint& point) {
+        return solve(stepper_.rig(), point, stepper_.window(), conditions);
+    };
+    auto found = solve_with(guess);
+    if (!found || !has_other_events(*found)) return found;
+    const auto changed = with_true_events(stepper_.rig(), *found);
+    if (!changed || is_same_motion(changed->orbit, found->orbit)) return found;
+    found = solve_with(*changed);
+    return found && has_other_events(*found) ? std::nullopt : found;
+}
+
+bool GapCrossings::has_other_events(const OrbitPoint& point) const {
+    return find_fault(stepper_.rig(), point).kind == OrbitFault::Kind::pattern;
+}
+
+// By its projection on the chord of a step, in the plane if its events are others.
+bool GapCrossings::lies_between(const OrbitPoint& low, const OrbitPoint& high, const OrbitPoint& point) const {
+    if (!has_same_events(low.orbit, point.orbit)) return lies_between_in_plane(low, high, point);
+    return is_within(way_between(stepper_.rig(), low, point, stepper_.window()),
+                     way_between(stepper_.rig(), low, high, stepper_.window()));
+}
+
+bool GapCrossings::lies_between_in_plane(const OrbitPoint& low, const OrbitPoint& high,
+                                         const OrbitPoint& point) const {
+    const PlanePoint size = stepper_.window();
+    const auto way = [&](const OrbitPoint& to) {
+        return Eigen::Vector2d((to.place.column - low.place.column) / size.column,
+                               (to.place.row - low.place.row) / size.row);
+    };
+    return is_within(way(point), way(high));
+}
+
+}  // namespace peterka::curves
