@@ -254,7 +254,7 @@ inline constexpr const char* life_words =
     "mean life of a settled motion under the disturbances of [noise]: until it would no longer return without "
     "them";
 inline constexpr const char* life_least_words =
-    "where no life was seen to end under [noise]: it lasts at least that long, roughly";
+    "where fewer than three lives were seen to end under [noise]: it lasts at least that long, roughly";
 inline constexpr const char* kick_words =
     "smallest sudden change found of the settled hammer's velocity, at all forcing phases, after which it "
     "ends elsewhere";

@@ -13,15 +13,19 @@ void describe(Walker& table, Noise& noise) {
         {"acceleration_m_s2_per_sqrt_hz",
          "white noise in the acceleration of the hammer against the cart, one-sided amplitude spectral "
          "density; a force over the mass is one [m/s^2/sqrt(Hz)]"},
-        noise.acceleration_m_s2_per_sqrt_hz, from_to(0.0, 1e6, "an amplitude spectral density isn't negative"));
-    const Range<double> jitter = from_to(0.0, 0.1, "beyond a tenth some cycles would have no amplitude left");
-    table.number({"amplitude_relative",
-                  "standard deviation of the cart's amplitude, drawn for each cycle, over the amplitude [1]"},
-                 noise.amplitude_relative, jitter);
+        noise.acceleration_m_s2_per_sqrt_hz,
+        from_to(0.0, 1e6, "an amplitude spectral density is no less, and no hammer is shaken more"));
+    table.number(
+        {"amplitude_relative",
+         "standard deviation of the cart's amplitude, drawn for each cycle, over the amplitude [1]"},
+        noise.amplitude_relative,
+        from_to(0.0, 0.1,
+                "a standard deviation is no less, and with more some cycles would have no amplitude left"));
     table.number(
         {"frequency_relative",
          "standard deviation of the excitation frequency, drawn for each cycle, over the frequency [1]"},
-        noise.frequency_relative, jitter);
+        noise.frequency_relative,
+        from_to(0.0, 0.1, "a standard deviation is no less, and with more some cycles would last for ever"));
     table.integer({"cycles", "disturbed cycles computed for each motion, roughly [forcing cycles]"},
                   noise.cycles, from_to<std::int64_t>(1'000, 1'000'000'000, "some lives must be seen to end"));
 }

@@ -1,6 +1,7 @@
 #include "noise/mean_life.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -30,7 +31,8 @@ constexpr std::int64_t fewest_trials = 32;
 constexpr std::int64_t most_trials = 100'000;
 constexpr std::size_t most_departures = 100'000;  // kept to begin trials from
 constexpr double rarest = 1e-15;                  // per cycle
-constexpr double of_none = 3;  // of which none is seen, the mean number is less with 95 % probability
+// With 95 % probability, the mean number of ends is less where so many are seen (Poisson).
+constexpr std::array<double, 3> most_of_few{3.00, 4.74, 6.30};
 constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 
 // A disturbed motion.
@@ -135,6 +137,10 @@ struct Followed {
     std::int64_t departures = 0;
     std::vector<Walker> departed = {};  // just after they were home: the first of them
     [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
+    void count(const Followed& other) {
+        cycles += other.cycles;
+        lives += other.lives;
+    }
 };
 
 // walker: the motion that is followed first, and the one that was followed last. Ends after so many disturbed
@@ -165,10 +171,11 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
     return followed;
 }
 
-// Lives end at random, so that their number is as uncertain as its square root.
+// Lives end at random, so that their number is as uncertain as its square root; one or two tell a bound alone.
 MeanLife life_of(const Followed& followed) {
     const auto cycles = static_cast<double>(followed.cycles);
-    if (followed.lives == 0) return {.least = cycles / of_none};
+    if (followed.lives < std::ssize(most_of_few))
+        return {.least = cycles / most_of_few[static_cast<std::size_t>(followed.lives)]};
     const double mean = cycles / static_cast<double>(followed.lives);
     return {.mean = mean, .error = mean / std::sqrt(static_cast<double>(followed.lives))};
 }
@@ -258,12 +265,13 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
 }
 
 // Lives that end per cycle, NaN where trials go far beyond the budget; nothing where they fail. walker: as for
-// `follow`.
+// `follow`; `all`: what is followed is counted there, too.
 std::optional<double> rate_of(Walk& walk, Walker& walker, const Levels& levels, std::int64_t budget,
-                              std::int64_t trials) {
+                              std::int64_t trials, Followed& all) {
     const std::int64_t end = walk.cycles() + asking * budget;
     const Followed base = follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max());
     if (!base.is_sound()) return std::nullopt;
+    all.count(base);
     if (base.departures == 0) return 0;
     double rate = static_cast<double>(base.departures) / static_cast<double>(base.cycles);
     std::vector<Walker> from = base.departed;
@@ -284,12 +292,17 @@ std::optional<double> rate_of(Walk& walk, Walker& walker, const Levels& levels, 
     return rate;
 }
 
-// From the mean rate and its standard error; nothing where no estimate saw a life end, or one didn't end.
+// From the mean rate and its standard error, a bound alone where one or two estimates saw a life end; nothing
+// where none did, or one didn't end.
 std::optional<MeanLife> life_of(const std::vector<double>& rates) {
     const auto count = static_cast<double>(rates.size());
     double mean = 0;
     for (const double rate : rates) mean += rate / count;
     if (!(mean > 0)) return std::nullopt;
+    const auto seen = std::ranges::count_if(rates, [](double rate) { return rate > 0; });
+    if (seen < std::ssize(most_of_few))
+        return MeanLife{.least =
+                            static_cast<double>(seen) / (most_of_few[static_cast<std::size_t>(seen)] * mean)};
     double squares = 0;
     for (const double rate : rates) squares += (rate - mean) * (rate - mean);
     return MeanLife{.mean = 1 / mean, .error = std::sqrt(squares / (count - 1) / count) / (mean * mean)};
@@ -312,6 +325,7 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     Walk walk(map, home, seed);
     Walker walker = walk.begin();
     const Followed first = follow(walk, walker, budget / 4, enough_lives);
+    Followed all = first;
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first);
     const double departures_per_cycle =
@@ -320,8 +334,9 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     if (!levels) return std::nullopt;
     const double reached_per_cycle = departures_per_cycle * levels->probability;
     const auto without_splitting = [&] {
-        if (first.lives > 0) return life_of(first);
-        return MeanLife{.least = std::max(1 / reached_per_cycle, life_of(first).least)};
+        MeanLife life = life_of(all);
+        if (all.lives == 0) life.least = std::max(1 / reached_per_cycle, life.least);
+        return life;
     };
     if (!levels->leads_away) return without_splitting();
     const std::int64_t each = std::max(budget - walk.cycles(), budget / 4) / (2 * estimates);
@@ -331,12 +346,15 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
                                    fewest_trials, most_trials);
     std::vector<double> rates;
     for (std::int64_t n = 0; n < estimates; ++n) {
-        const auto rate = rate_of(walk, walker, *levels, each, trials);
+        const auto rate = rate_of(walk, walker, *levels, each, trials, all);
         if (!rate) return std::nullopt;
         rates.push_back(*rate);
     }
     const auto life = life_of(rates);
-    return life ? *life : without_splitting();
+    if (life && std::isfinite(life->mean)) return life;
+    MeanLife other = without_splitting();
+    if (life && std::isnan(other.mean)) other.least = std::max(other.least, life->least);
+    return other;
 }
 
 }  // namespace peterka::noise

@@ -15,7 +15,9 @@
 // of cycles, the distance is that at the next end without further disturbances. The levels come from trials
 // that don't count. Several such estimates, each with disturbances of its own, tell the standard error.
 //
-// Where no trial gets beyond a level, as a motion that forgets within a cycle may do, or the budget ends, what
+// Where no trial gets beyond a level, as a motion that forgets within a cycle may do, or the budget ends, the
+// lives that were followed count. Fewer than three ends, or estimates that see one, tell a bound alone (95 %,
+// Poisson): it is those seen by chance of which a mean would be told, and it would be too short. Of none, what
 // is known is how rarely the levels so far are reached: the motion lasts at least that long, roughly.
 #pragma once
 
@@ -30,9 +32,9 @@ namespace peterka::noise {
 
 // In forcing cycles.
 struct MeanLife {
-    double mean = cell::unknown;   // NaN: nothing was seen to leave
+    double mean = cell::unknown;   // NaN: hardly anything was seen to leave
     double error = cell::unknown;  // standard error
-    double least = cell::unknown;  // where nothing was: it lasts at least that long, roughly
+    double least = cell::unknown;  // there: it lasts at least that long, roughly
 };
 
 // budget: how many disturbed cycles to compute, roughly. Nothing where home is a tiny part of what disturbances

@@ -57,6 +57,24 @@ TEST(DisturbedLife, RareEndsAreMultipliedUpFromLevels) {
     EXPECT_NEAR(std::log(rate * followed->mean), 0, std::log(2.5));
 }
 
+// Of one end that a small budget happens to see, the mean would be that budget, however rare ends are.
+TEST(DisturbedLife, OneEndSeenByChanceTellsABoundAlone) {
+    const testing::Settled motion = testing::one_in_three();
+    DisturbedMap map(motion.oscillator, {}, white(0.0075));
+    const auto home = Home::of(map, motion.point, motion.period);
+    ASSERT_TRUE(home);
+    const auto truth = mean_life_followed(map, *home, 400'000, 1);
+    ASSERT_TRUE(truth && std::isfinite(truth->mean));
+    int bounds = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const auto life = mean_life(map, *home, 4'000, seed);
+        ASSERT_TRUE(life);
+        EXPECT_FALSE(life->mean < truth->mean / 6) << seed;
+        bounds += std::isfinite(life->least) ? 1 : 0;
+    }
+    EXPECT_GT(bounds, 0);
+}
+
 TEST(DisturbedLife, ShortLivesAreFollowedOneByOne) {
     const Lives lives = lives_of(testing::one_in_three(), white(0.03), 400'000, 30'000);
     expect_alike(lives);
@@ -113,9 +131,9 @@ TEST(DisturbedLife, TheSameSeedGivesTheSameBits) {
     DisturbedMap map(motion.oscillator, {}, {.speed = 0.009, .amplitude = 1e-3});
     const auto home = Home::of(map, motion.point, 3);
     ASSERT_TRUE(home);
-    const auto first = mean_life(map, *home, 12'000, 5);
-    const auto again = mean_life(map, *home, 12'000, 5);
-    const auto other = mean_life(map, *home, 12'000, 6);
+    const auto first = mean_life(map, *home, 60'000, 5);
+    const auto again = mean_life(map, *home, 60'000, 5);
+    const auto other = mean_life(map, *home, 60'000, 6);
     ASSERT_TRUE(first && again && other);
     EXPECT_EQ(first->mean, again->mean);
     EXPECT_EQ(first->error, again->error);
