@@ -71,9 +71,9 @@ Compared compare(const StoredCell& a, const StoredCell& b) {
         return cell.regime == Regime::unresolved || cell.regime == Regime::failed;
     };
     if (is_open(a) || is_open(b)) return Compared::unknown;
-    if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return Compared::alike;
-    const bool differ =
-        motion_class(a) != motion_class(b) || std::abs(blow(a) - blow(b)) > 0.01 * std::max(blow(a), blow(b));
+    const bool has_blow = regime::has_period(a.regime) && regime::has_period(b.regime);  // chaos has many
+    const bool differ = motion_class(a) != motion_class(b) ||
+                        (has_blow && std::abs(blow(a) - blow(b)) > 0.01 * std::max(blow(a), blow(b)));
     return differ ? Compared::different : Compared::alike;
 }
 

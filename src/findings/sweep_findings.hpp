@@ -71,9 +71,9 @@ struct BranchFindings {
 [[nodiscard]] BranchFindings find_in_branch(const job::Branch& branch,
                                             std::vector<quantities::StoredCell> cells);
 
-// The stretches in which sweeping up and down lead to different steady motions: a different class, or a peak
-// force that differs by more than 1 %. Chaotic points end a stretch; unresolved and failed ones neither begin,
-// end nor interrupt one. A single point is not a stretch.
+// The stretches in which sweeping up and down lead to different motions: a different class, chaos among them,
+// or a peak force that differs by more than 1 %. Points that are chaotic on both ways end a stretch, as their
+// forces are those of what was observed; unresolved and failed ones neither begin, end nor interrupt one.
 [[nodiscard]] std::vector<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down);
 
 }  // namespace peterka

@@ -82,15 +82,21 @@ double rounded(double number, int digits) {
     return std::stod(fmt::format("{:.{}e}", number, digits - 1));
 }
 
+// Cells may have more attractors than are stored.
+std::string of_kept(const StartCounts& counts) {
+    return counts.left_over > 0 ? ", of the attractors that are kept" : "";
+}
+
 std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
     if (!counts.shortest.found()) return "";
     const scene::Cell cell = scene.cell(counts.shortest.row, counts.shortest.column);
     const double cycle = cell.oscillator.period() / cell.scales.frequency_rad_per_s;
     return fmt::format(
-        "  cells with chaos from which starts escape: {}; its mean life, where it is shortest: {:g} +- {:g} s, "
+        "  cells with chaos from which starts escape{}: {}; its mean life, where it is shortest: {:g} +- {:g} "
+        "s, "
         "{:g} cycles\n",
-        readable_count(counts.dying), rounded(counts.shortest.seconds, 2), rounded(counts.shortest.error, 1),
-        rounded(counts.shortest.seconds / cycle, 2));
+        of_kept(counts), readable_count(counts.dying), rounded(counts.shortest.seconds, 2),
+        rounded(counts.shortest.error, 1), rounded(counts.shortest.seconds / cycle, 2));
 }
 
 // An attractor with share s is missed by n starts with probability (1 - s)^n.
@@ -116,8 +122,9 @@ std::string starts_summary(const scene::Scene& scene, const StartFindings& findi
     std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
     text += numbers(counts) + commonest_pairs(findings);
     text +=
-        fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}\n",
-                    readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells));
+        fmt::format("  motions with impacts and without{}: {} of the cells; none with impacts is known: {}\n",
+                    of_kept(counts), readable_share(counts.mixed, counts.cells),
+                    readable_share(counts.never_hit, counts.cells));
     text += what_is_known(counts);
     text += fmt::format("  {} another attractor than most starts in {} of the cells\n",
                         job.kind == job::Kind::sweep ? "a branch is on" : "[start] ends on",

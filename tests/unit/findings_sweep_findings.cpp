@@ -114,7 +114,9 @@ TEST(SweepFindings, EachStretchOfHysteresisIsFound) {
     EXPECT_EQ(ends({one, one, one, one}, {two, unresolved, other, one}), (Ends{{0, 2}}));
     EXPECT_EQ(ends({one, one, one, one}, {unresolved, two, two, unresolved}), (Ends{{1, 2}}));
     EXPECT_EQ(ends({one, unresolved, one}, {two, unresolved, one}), (Ends{{0, 0}}));
-    EXPECT_EQ(ends({one, one, one, one, one}, {two, two, chaos(60), two, two}), (Ends{{0, 1}, {3, 4}}));
+    EXPECT_EQ(ends({one, one, one, one, one}, {two, two, chaos(60), two, two}), (Ends{{0, 4}}));
+    EXPECT_EQ(ends({one, one, chaos(50), one}, {two, two, chaos(60), two}), (Ends{{0, 1}, {3, 3}}));
+    EXPECT_EQ(ends({free_motion(), chaos(50), one}, {chaos(50), free_motion(), one}), (Ends{{0, 1}}));
 }
 
 // Which has no peak force.
