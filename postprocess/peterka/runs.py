@@ -5,6 +5,7 @@ import re
 import shutil
 import tempfile
 import tomllib
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -38,20 +39,23 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:  # noqa: A001: peterka
     Dimensions are (gap_ratio, frequency_ratio) for a map, (velocity_ratio, displacement_ratio) for a basin, (branch,
     frequency_ratio) for a sweep and (time,) for a trace, unless the job names other axes. Units are in the variables'
     attributes; the resolved job is the attribute `job`. A dataset in a group of the file has the group's name as prefix, as
-    in data["attractors/cells"]. Raises PeterkaFileError if the file is incomplete, damaged or not a file of peterka."""
+    in data["attractors/cells"]. Of a file that a run has not finished, the cells without a result have regime -128 (UserWarning).
+    Raises PeterkaFileError if the file is truncated, damaged or not a file of peterka."""
     with open_file(path) as file:
         reader = type(file)
+        if getattr(file, "computed", 1) < 1:
+            warnings.warn(f"{os.fspath(path)}: the run isn't finished; cells without a result have regime -128", stacklevel=2)
     data = reader(path).data
     assert isinstance(data, CheckedFile)
     return dataset_of(data)
 
 
-def run(job: str | os.PathLike[str] | Mapping[str, Any], ranks: int = 2, *, output: str | os.PathLike[str] | None = None,
+def run(job: str | os.PathLike[str] | Mapping[str, Any], ranks: int = 2, *, output: str | os.PathLike[str] | Mapping[str, Any] | None = None,
         progress: Progress = False, **changes: Any) -> xarray.Dataset:
     """Computes a job and returns its file as open() does; a file that already holds the result is only opened.
 
     `job`: the path of a job file, its text in TOML, or its tables as dicts. `ranks`: number of MPI ranks; with 1, mpirun is not used.
-    `output`: where to keep the file; by default it is not kept. `progress`: True shows a progress bar on stderr; a function is called
+    `output`: where to keep the file, which by default isn't; a dict is the job's table of that name, as in `changes`. `progress`: True shows a progress bar on stderr; a function is called
     with the finished share, 0 to 1. An interrupted run leaves `output` behind, and the same call resumes it.
     `changes`: overrides of the job's keys: `table__key=value` for --set table.key=value, or a whole table as table={key:
     value}. Raises JobError with all faults of the job, PeterkaFileError as open() does, other PeterkaErrors if the program
@@ -59,6 +63,8 @@ def run(job: str | os.PathLike[str] | Mapping[str, Any], ranks: int = 2, *, outp
     package, else the one on the PATH."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
         path = _written(job, Path(folder))
+        if isinstance(output, Mapping):
+            output, changes = None, changes | {"output": output}
         result = Path(output) if output is not None else Path(folder) / "result.h5"
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
         quiet = ["--quiet"] if progress is False else []

@@ -113,6 +113,20 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
     assert browser.complaints() == []
 
 
+def test_impacts_that_go_on_are_no_number_of_cycles(browser, map_file, map_page):
+    """Their -1 had the colour of 0, and a class that no cell had stood in the legend."""
+    with h5py.File(map_file) as data:
+        last, regime = data["last_impact"][()], data["regime"][()]
+    browser.open(map_page, "layer=last_impact")
+    told = browser.text("legend")
+    assert f"impacts go on {100 * np.mean(last == -1):.1f} %" in told
+    quiet = 100 * np.mean((regime == 0) & (last == 0))
+    assert re.findall(r"no impact ([\d.]+) %", told) == ([f"{quiet:.1f}"] if quiet > 0 else [])
+    row, column = np.argwhere(last == -1)[0]
+    other, there = np.argwhere(last > 0)[0]
+    assert browser.pixel("map", *browser.place(column, row, SIZE, SIZE)) != browser.pixel("map", *browser.place(there, other, SIZE, SIZE))
+
+
 def test_elasticities_are_signed_and_cells_without_one_are_told(browser, tmp_path):
     file = pages.compute(tmp_path, JOBS / "peterka_170mm.toml", *(f"axes.{name}_ratio.points={SIZE}" for name in ("frequency", "gap")),
                          'output.fields=["force_elasticity"]')

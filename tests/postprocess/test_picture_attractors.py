@@ -52,6 +52,19 @@ def test_starts_without_a_result_are_no_attractor_and_no_motion_without_impacts(
         assert title.endswith("unresolved starts count as ones without impacts: up to 25.0 % in a cell")
 
 
+FEW_KEPT = [[[(NO_IMPACT, 0.75)], [(orbit(1, 2), 0.5)], [(orbit(1, 2), 1.0)]], [[(NO_IMPACT, 1.0)], [(orbit(1, 1), 1.0)], []]]
+
+
+def test_starts_on_attractors_that_are_not_kept_are_told(tmp_path):
+    """A share of starts with impacts was 0 where a cell kept one attractor alone, the one without."""
+    with PeterkaFile(write_attractors(tmp_path / "a.h5", cells=FEW_KEPT, kicks=False)) as file:
+        colours, drawn = seen(file, attractor_maps.draw_impacting(file), tmp_path)
+    assert colours[0] == [shade(0.0), attractor_maps.LACKING_COLOUR, shade(1.0)]
+    assert "half or more unresolved or not kept" in drawn.legend_texts()
+    title = " ".join(drawn.figure._suptitle.get_text().split())
+    assert title.endswith("starts on attractors that aren't kept count as ones without impacts: up to 25.0 % in a cell")
+
+
 def test_the_likeliest_attractor_has_the_colour_of_its_class(tmp_path):
     with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
         colours, _ = seen(file, attractor_maps.draw_largest(file), tmp_path)

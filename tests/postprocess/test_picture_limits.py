@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from attractor_samples import write_attractors
+from peterka.measurements.points import Measurements, Point
 from peterka.pictures import open_file, pictures_of
 from peterka.plotting.figures import figure_of
 from picture_samples import PLAIN, write_map
@@ -36,8 +38,43 @@ def test_limits_of_a_number_without_a_ratio_are_in_si(tmp_path, units):
 def test_limits_of_a_sweep_are_newtons_too(tmp_path):
     with open_file(write_sweep(tmp_path / "a.h5")) as file:
         ends = [ax.get_ylim() for ax in pictures_of(file)["response"](file, limits=(0, 100), units="si")]
-    # above the data a panel has room for its notes
-    assert all(low == 0 and 100 <= high * WEIGHT < 150 for low, high in ends)
+    assert all(low == 0 and high * WEIGHT == pytest.approx(100) for low, high in ends)
+
+
+def test_nothing_beyond_the_limits_stands_in_another_panel(tmp_path):
+    """A star of 40 weights, which clipping doesn't hold, stood in the panel above; measured points did, too."""
+    measured = Measurements([Point(2.0, 40.0, None, 0.0, ""), Point(1.5, 15.0, None, 1.5, "")], [])
+    with open_file(write_sweep(tmp_path / "a.h5")) as file:
+        panels = pictures_of(file, measured=measured)["response"](file, limits=(0, 20), units="ratio")
+    for panel in panels:
+        marks = [line for line in panel.lines if line.get_linestyle() == "None" and not line.get_clip_on()]
+        assert all(0 <= height <= 20 for line in marks for height in line.get_ydata())
+    assert any(15.0 in line.get_ydata() for line in panels[1].lines)
+
+
+def test_kicks_shares_and_lives_have_limits(tmp_path):
+    with open_file(write_attractors(tmp_path / "a.h5")) as file:
+        pictures = pictures_of(file)
+        for name, limits in (("kick", (0.1, 3.0)), ("attractors_impact", (0.5, 1.0))):
+            norm = pictures[name](file, limits=limits).collections[-1].norm
+            assert (norm.vmin, norm.vmax) == pytest.approx(limits), name
+
+
+@pytest.mark.parametrize("name, options, told", [
+    ("map", ("--limits", "1,2"), "map: has no scale for --limits"), ("map", ("--log",), "map: has no scale for --log"),
+    ("map", ("--log", "--limits", "1,2"), "map: has no scale for --limits or --log"), ("force_all", ("--log",), None)])
+def test_a_picture_without_such_a_scale_says_so(tmp_path, draw, name, options, told):
+    outcome = draw(write_map(tmp_path / "a.h5"), "--only", name, *options)
+    assert outcome.code == 0 and (told in outcome.stdout if told else "no scale" not in outcome.stdout)
+
+
+def test_what_has_no_logarithm_is_named(tmp_path):
+    exponents = np.linspace(-1, 2, 16).reshape(4, 4)
+    with open_file(write_map(tmp_path / "a.h5", fields={"lyapunov": exponents})) as file:
+        for log in (True, False):
+            figure = figure_of(pictures_of(file)["lyapunov"](file, log=log))
+            texts = [text.get_text() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+            assert ("0 or below: no logarithm" in texts) == log
 
 
 @pytest.mark.parametrize("log, limits, lowest", [(False, (0, 30), 0), (False, (-5, 30), -5), (False, (5, 30), 5), (True, (5, 30), 5),

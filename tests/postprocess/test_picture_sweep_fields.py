@@ -99,6 +99,15 @@ def test_whole_numbers_below_0_are_none_and_a_field_without_values_is_left_out(t
     assert "no value to draw, impulse is left out" in outcome.stdout
 
 
+def test_lives_have_a_logarithmic_scale_and_a_mark_where_one_stands_alone(tmp_path):
+    lives = np.full(SHAPE, np.nan)
+    lives[0, :3], lives[0, 6] = [1.0, 10.0, 100.0], 1000.0
+    panel = drawn(write_fields(tmp_path / "a.h5", mean_life_s=lives), "life")[0]
+    assert panel.get_yscale() == "log" and panel.get_ylabel() == "mean life under [noise] (s)"
+    alone, = [line for line in panel.lines if line.get_marker() == LOOKS["up"].marker and len(line.get_xdata())]
+    assert alone.get_xydata().tolist() == [[FREQUENCY[6], 1000.0]]
+
+
 def test_a_dataset_of_another_shape_is_no_field(tmp_path):
     with SweepFile(write_fields(tmp_path / "a.h5", impulse=RISING[:, :-1], orbit_velocity=RISING)) as file:
         assert pictures_of(file).keys() == {"response", "bifurcation", "bifurcation_impact"}

@@ -55,6 +55,17 @@ def test_changes_are_overrides():
     assert data.attrs["damping_ratio"] == pytest.approx(0.08 / (2 * 0.298 * 2 * np.pi * 4.5))
 
 
+def test_a_table_of_the_job_may_be_called_output():
+    data = peterka.run(JOB, ranks=1, output={"fields": ["multiplier"]})
+    assert "multiplier" in data
+
+
+def test_a_file_that_a_run_has_not_finished_says_so(tmp_path):
+    path = write_map(tmp_path / "a.h5", [[(1, 1, 1), (-128, -1, -1)]])
+    with pytest.warns(UserWarning, match="the run isn't finished; cells without a result have regime -128"):
+        assert peterka.open(path).regime.values.tolist() == [[1, -128]]
+
+
 def test_all_faults_of_a_job_are_one_exception():
     bad = JOB | {"hammer": JOB["hammer"] | {"mass_kg": -1.0}, "contcat": {}}
     with pytest.raises(peterka.JobError) as caught:

@@ -12,6 +12,7 @@ from typing import IO, Any, NoReturn
 from matplotlib.figure import Figure
 
 from ..files.harmless import harmless
+from ..files.opened import OpenedFile
 from ..plotting import axes
 
 FORMATS = ("png", "pdf", "svg")
@@ -79,6 +80,12 @@ def read_formats(text: str) -> list[str]:
 
 class _Output:
     lost = False  # whether any output could not be printed
+
+
+def tell_if_unfinished(file: OpenedFile) -> None:
+    """Prints what share of a file is computed, where that isn't all of it."""
+    if file.computed < 1:
+        tell(f"{file.path}: {axes.incomplete_text(file)}")
 
 
 def tell(line: object) -> None:

@@ -17,7 +17,7 @@ from ..maps.map_file import PeterkaFile
 from ..plotting.style import using
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
-    tell,
+    tell, tell_if_unfinished,
 )
 from .picture_options import add_look_arguments, check_style, style_of
 
@@ -31,6 +31,8 @@ def _compare() -> int:
     arguments = read_arguments()
     try:
         with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second, using(**style_of(arguments)):
+            for file in (first, second):
+                tell_if_unfinished(file)
             found = comparison.compare(first, second)
             tell(comparison.text(first, second, found))
             figure = comparison_map.draw(first, second, found)

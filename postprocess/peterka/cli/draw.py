@@ -9,8 +9,8 @@ A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (pe
 audited, STEM_computed where it is refined, and STEM_proved (of which cells the motion is proved, and why that of others
 is not) where it has certificates, and STEM_proved_attractors where its attractors have some; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
 or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement, multiplier,
-lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. With
---curves, a file of curves of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where
+lyapunov, sensitivity, force_per_cycle (mean and 95 % quantile) that they hold, and a map of orbit (displacement and
+velocity). With --curves, a file of curves of the same rig over the same axes, in either unit, a map gives STEM_curves_over_map. Where
 last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only 300 cycles, or
 --after, would see. A map with [starts] gives STEM_attractors (how many of a cell are known), STEM_attractors_largest (on which most
 starts end), STEM_attractors_impact (share of starts that impact), STEM_share_... (share of each of the commonest z) and,
@@ -25,7 +25,7 @@ A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
 curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them; with [uncertainty] STEM_response_of_rigs,
 the band in which nine of ten drawn rigs lie; and over its axis each of impact_speed, impulse, contact_time, contact_power_w,
-max_displacement, multiplier, lyapunov, sensitivity, last_impact, force_per_cycle and elasticities that it holds. A file of curves gives
+max_displacement, multiplier, lyapunov, sensitivity, last_impact, force_per_cycle, life ([noise]) and elasticities that it holds. A file of curves gives
 STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap (of
 other axes _columns and _rows). The points of --measured lie over these three, and over
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
@@ -49,10 +49,9 @@ from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
 from ..files.nearest import instead_of
 from ..files.opened import OpenedFile
-from ..plotting import axes
 from ..plotting.figures import figure_of
 from ..plotting.limits import NothingToSee
-from ..plotting.style import using
+from ..plotting.style import listening, using
 from ..maps.curves_over import read_lines
 from ..maps.map_file import PeterkaFile
 from ..maps.outcomes import read_wanted
@@ -61,7 +60,7 @@ from ..measurements.points import Measurements, Point, read_measurements
 from ..pictures import open_file, picture_name, pictures_of
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
-    tell,
+    tell, tell_if_unfinished,
 )
 from .picture_options import (
     add_style_arguments, check_style, style_of, zoomed,
@@ -160,12 +159,12 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
                 tell(line)
         elif arguments.curves:
             curves = read_lines(arguments.curves, file)
-        if file.computed < 1:
-            tell(f"{path}: {axes.incomplete_text(file)}")
+        tell_if_unfinished(file)
         pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves, arguments.probability)
         for name, draw in chosen(file, pictures, arguments.only, bool(arguments.zoom)).items():
             try:
-                drawn = draw(file)
+                with listening() as asked:
+                    drawn = draw(file)
             except NothingToSee as refusal:  # limits are meant for some of the pictures
                 complain(f"{name}: {refusal}")
                 outcome = BAD_INPUT
@@ -174,6 +173,9 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
                 why = " (impacts have no peak force, as on a rigid stop; the field impact_speed has a picture)" if isinstance(file, SweepFile) and "response" in name and file.lacks_forces else ""
                 tell(f"{path}: no value to draw{why}, {name} is left out")
                 continue
+            unheard = [f"--{option}" for option in ("limits", "log") if getattr(arguments, option) and option not in asked]
+            if unheard and arguments.only:
+                tell(f"{name}: has no scale for {' or '.join(unheard)}")
             save_all(figure_of(drawn), arguments.output_dir, picture_name(file, name), arguments.formats)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
             del drawn

@@ -41,6 +41,7 @@ from ..operating.places import Place, best_places
 from ..plotting.style import using
 from .command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
+    tell_if_unfinished,
 )
 from .picture_options import add_look_arguments, check_style, style_of
 
@@ -74,6 +75,7 @@ def _operating_point() -> int:
 
 def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     """The whole of it, of an open map; the exit code."""
+    tell_if_unfinished(file)
     if arguments.risk is not None:
         return operate_at_risk(file, arguments)
     starts = arguments.starts

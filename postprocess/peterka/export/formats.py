@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from ..arrays import Reals
+from ..arrays import Mask, Reals
 from ..files.opened import OpenedFile
+from ..files.regimes import NOT_COMPUTED
 from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
 from ..sweeps.sweep_file import SweepFile
@@ -30,7 +31,8 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
         table.writerow([*heads, *(field.name for field in fields)])
         for first, band in bands(file, fields):
             for row in range(len(band[fields[0].name])):
-                values = [_texts(field, band[field.name][row]) for field in fields]
+                done = band["regime"][row] != NOT_COMPUTED
+                values = [_texts(field, band[field.name][row], done) for field in fields]
                 for column, cells in enumerate(zip(*values)):
                     places = {0: first + row, 1: column}
                     table.writerow([*(_number(numbers[places[which]]) for side, which in sides
@@ -48,7 +50,8 @@ def write_csv_of_sweep(file: SweepFile, path: Path) -> None:
         for branch in file.branches:
             own = [str(branch.row), branch.direction, *(_number(numbers[branch.row]) for numbers in _once(gaps))]
             cells = {name: file.data.values(name, branch.row) for field in fields for name in field.datasets}
-            texts = [_texts(field, field.values(cells, branch.row)) for field in fields]
+            done = cells["regime"] != NOT_COMPUTED
+            texts = [_texts(field, field.values(cells, branch.row), done) for field in fields]
             for point, values in enumerate(zip(*texts)):
                 table.writerow([*own, *(_number(numbers[point]) for numbers in _once(points)), *values])
 
@@ -132,9 +135,12 @@ def _once(side: Side) -> list[Reals]:
     return [side.values] if side.name == side.ratio_name else [side.values, side.ratios]
 
 
-def _texts(field: Field, values: NDArray[Any]) -> list[str]:
-    if field.whole:
+def _texts(field: Field, values: NDArray[Any], done: Mask) -> list[str]:
+    """`done`: of the cells that are computed; counts of the others are no numbers."""
+    if field.words:
         return [field.words.get(value, str(value)) for value in values.tolist()]
+    if field.whole:
+        return [str(value) if is_done else "" for value, is_done in zip(values.tolist(), done)]
     return [_number(value) for value in values.tolist()]
 
 

@@ -18,6 +18,7 @@ from ..arrays import Integers, Reals, ma
 from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, UNRESOLVED
 from ..plotting import axes
 from ..plotting.classes import CLASSES, INDEX, classify
+from ..plotting.limits import beyond, requested
 from ..plotting.picture import picture
 from .field_map import scale_colours, without_value
 from .map_file import KICKS, PeterkaFile
@@ -37,6 +38,7 @@ _COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # r
 END_WORDS = {"no impact": "without impacts", "chaotic": "in chaos"}
 LACKING_COLOUR = "#F7C6D0"
 UNDECIDED = (UNRESOLVED, FAILED)
+ROUNDING = 1e-6  # of shares that add up to 1
 MOST_UNDECIDED = 0.5  # share of starts or rigs without a result from which on a cell has no share of impacts
 NO_ORBIT, WAITING, ALONE, NONE_FOUND, FILLED, THROWN = range(6)  # outcome of a kick in a cell
 KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#BFE3D0", "#FFFFFF"]
@@ -111,7 +113,7 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, looks, WAITING)
     whose = "likeliest orbit" if file.slots else "orbit"
-    return _with_scale(figure, ax, bar_ax, file, reduced, f"critical kick of the {whose}, at its worst phase (m/s)", top)
+    return _with_scale(figure, ax, bar_ax, file, reduced, f"critical kick of the {whose}, at its worst phase (m/s)", top, unit="m/s")
 
 
 def _known(attractors: Integers, slots: Integers) -> Integers:
@@ -144,13 +146,34 @@ def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The share of starts that end with impacts."""
     def share(regime: Integers, of: Integers, shares: Reals) -> Reals:
         impacting = np.where(np.isin(of, [PERIODIC, CHAOTIC]), shares, 0).sum(axis=0)
-        return np.where((regime == NOT_COMPUTED) | (undecided_share(of, shares) >= MOST_UNDECIDED), np.nan, impacting)
+        return np.where((regime == NOT_COMPUTED) | (_unknown_share(of, shares) >= MOST_UNDECIDED), np.nan, impacting)
 
     reduced = reduced_values(file, ["regime", "attractor_regime", "basin_share"], share, None)
-    told = undecided_in_words(file, "attractor_regime", "basin_share", "starts")
-    left_out = any(np.any(undecided_share(band["attractor_regime"], band["basin_share"]) >= MOST_UNDECIDED)
+    told = [*undecided_in_words(file, "attractor_regime", "basin_share", "starts"), *_not_kept_in_words(file)]
+    left_out = any(np.any(_unknown_share(band["attractor_regime"], band["basin_share"]) >= MOST_UNDECIDED)
                    for _, band in file.bands(["regime", "attractor_regime", "basin_share"]))
-    return _draw_scale(file, ax, reduced, "share of starts that end with impacts", 1, "half or more unresolved" if left_out else None, told)
+    lacking = f"half or more unresolved{' or not kept' * _keeps_few(file)}" if left_out else None
+    return _draw_scale(file, ax, reduced, "share of starts that end with impacts", 1, lacking, told)
+
+
+def _unknown_share(of: Integers, shares: Reals) -> Reals:
+    return undecided_share(of, shares) + _share_not_kept(shares)
+
+
+def _share_not_kept(shares: Reals) -> Reals:
+    """The share of starts that end on attractors beyond those that a cell's slots hold, from (slots, rows, columns)."""
+    kept: Reals = np.nan_to_num(shares).sum(axis=0)
+    return np.where((kept > 0) & (kept < 1 - ROUNDING), 1 - kept, 0.0)
+
+
+def _keeps_few(file: PeterkaFile) -> bool:
+    return any(np.any(_share_not_kept(band["basin_share"]) > 0) for _, band in file.bands(["regime", "basin_share"]))
+
+
+def _not_kept_in_words(file: PeterkaFile) -> list[str]:
+    missing = [_share_not_kept(band["basin_share"]) for _, band in file.bands(["regime", "basin_share"])]
+    most = max(float(np.max(some, where=some < MOST_UNDECIDED, initial=0)) for some in missing)
+    return [f"starts on attractors that aren't kept count as ones without impacts: up to {axes.percent(most)} in a cell"] if most > 0 else []
 
 
 def undecided_share(of: Integers, shares: Reals) -> Reals:
@@ -208,10 +231,11 @@ def _draw_scale(file: PeterkaFile, ax: Axes | None, reduced: Reduced, label: str
 
 
 def _with_scale(figure: Figure, ax: Axes, bar_ax: Axes, file: PeterkaFile, reduced: Reduced, label: str, top: float,
-                told: Sequence[str] = ()) -> Axes:
+                told: Sequence[str] = (), unit: str = "") -> Axes:
+    low, high = requested(file, reduced.image, (unit, 1.0)) or (0.0, top)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
-                         vmin=0, vmax=top, rasterized=True)
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max" if np.nanmax(reduced.image, initial=0.0) > top else "neither")
+                         vmin=low, vmax=high, rasterized=True)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=beyond(reduced.image, low, high))
     bar.outline.set_linewidth(0.6)
     bar.set_label(label, fontsize=8)
     return _finished(figure, ax, file, told)

@@ -90,6 +90,9 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     has_zero = bool(field.zero and peak.value > 0 and np.any(values.image == 0))
     if has_zero:
         legend.insert(0, axes.legend_patch(field.zero, without_value(OTHER_COLOUR)))
+    has_no_log = bool(style.scale_option("log") and peak.value > 0 and np.any(values.image <= 0) and not has_zero)
+    if has_no_log:
+        legend.insert(0, axes.legend_patch("0 or below: no logarithm", without_value(OTHER_COLOUR)))
     figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
     scale = _in_units(field.scale(peak.value))
@@ -99,6 +102,9 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     if has_zero:
         _show_apart(ax, values, shown == 0)
         shown = ma.masked_equal(shown, 0)
+    if has_no_log:
+        _show_apart(ax, values, shown <= 0)
+        shown = ma.masked_less_equal(shown, 0)
     mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
     _draw_bar(figure, bar_ax, mesh, replace(scale, label=_told(scale.label, _beyond(shown.compressed(), norm))),
@@ -170,7 +176,7 @@ def _in_units(scale: Scale) -> Scale:
 def _norm(shown: Any, peak: float, from_zero: bool, limits: Sequence[float] | None) -> Normalize:
     """Limits of the displayed values; `limits`: those requested."""
     positive = shown[shown > 0]
-    logarithmic = style.current().log and positive.count() > 0
+    logarithmic = style.scale_option("log") and positive.count() > 0
     if limits:
         low, high = limits
     else:

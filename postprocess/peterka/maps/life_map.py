@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..arrays import Integers, Reals, ma
 from ..files.regimes import NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..plotting import axes
+from ..plotting.limits import beyond, requested
 from ..plotting.picture import picture
 from .attractor_maps import reduced_values
 from .field_map import scale_colours, without_value
@@ -40,14 +41,16 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     if not counts[[UNENDED, ENDS]].any():
         return None
     reduced = reduced_values(file, names, lambda regime, *of_motions: _settled(regime, *of_motions)[0], np.fmin)
-    texts = {NONE_SETTLED: "no settled motion followed", UNENDED: "no life seen to end", WAITING: "not computed yet"}
+    texts = {NONE_SETTLED: "no settled motion followed", UNENDED: "hardly a life seen to end", WAITING: "not computed yet"}
     looks = [without_value(*look) for look in zip(COLOURS, HATCHES)]
     handles = [axes.legend_patch(text, looks[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, looks, WAITING)
+    low, high = requested(file, reduced.image, ("s", 1.0)) or _limits(reduced.image)
+    low = max(low, high / WIDEST)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
-                         norm=LogNorm(*_limits(reduced.image)), rasterized=True)
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
+                         norm=LogNorm(low, high), rasterized=True)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=beyond(reduced.image, low, high))
     bar.outline.set_linewidth(0.6)
     bar.minorticks_off()
     whose = "likeliest settled motion" if file.slots else "settled motion"

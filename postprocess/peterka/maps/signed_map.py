@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals
 from ..files.regimes import NOT_COMPUTED, PERIODIC
-from ..plotting import axes, signed, style, units
+from ..plotting import axes, signed, units
 from ..plotting.frames import label_of_bar
+from ..plotting.limits import requested
 from .field_map import without_value
 from .map_file import PeterkaFile
 from .reduce import LIMIT, Reduced, block_size, class_picture, largest, with_edges
@@ -55,7 +56,7 @@ def draw(file: PeterkaFile, field: SignedField, ax: Axes | None = None) -> Axes 
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
     assert bar_ax is not None
     axes.show_classes(ax, image, looks, 1)
-    low, high = style.current().limits or (-top, top)
+    low, high = requested(file, values, (field.per.format(unit=field.unit), 1.0)) or (-top, top)
     farthest = max(abs(low), abs(high))  # 0 is in the middle whatever the limits
     mesh = signed.show(ax, reduced, reduced.image * factor, Normalize(-farthest * factor, farthest * factor))
     axes.label_axes(ax, file)

@@ -43,6 +43,10 @@ const APART = content.apart.map((one) => classIndex[one]);
 const isOfDraws = (layer) => /^(force_q\d\d_ratio|speed_q\d\d|outcome)/.test(layer.name);
 const apartOf = (layer) => (isOfDraws(layer) ? [MISSING] : APART);
 
+const isNoNumber = (layer, value) => Number.isNaN(value) || (layer.never !== undefined && value < 0);
+// Whether a cell of a class that is set apart keeps its colour.
+const isApart = (layer, kind, value) => apartOf(layer).includes(kind) && !(value > 0) && !(layer.never !== undefined && value < 0);
+
 function numberPainter(layer) {
   const { raw } = file.labels;
   const kinds = content.labels.table.map(([, , , number]) => number);
@@ -61,11 +65,22 @@ function numberPainter(layer) {
       const label = raw[cell];
       const value = layer.plane.at(cell);
       if (kinds[label] === MISSING) out[from + x] = hatched(x, y);
-      else if (apart[label] && !(value > 0)) out[from + x] = CLASS_COLOURS[kinds[label]];
-      else if (Number.isNaN(value)) out[from + x] = none;
+      else if (apart[label] && isApart(layer, kinds[label], value)) out[from + x] = CLASS_COLOURS[kinds[label]];
+      else if (isNoNumber(layer, value)) out[from + x] = none;
       else out[from + x] = colours[Math.max(0, Math.min(last, Math.round((value - layer.low) * step)))];
     }
   };
+}
+
+// Of a layer of numbers: cells of each class that keep its colour.
+function apartCounts(layer) {
+  const kinds = content.labels.table.map(([, , , number]) => number);
+  const counts = new Array(content.classes.length).fill(0);
+  for (let cell = 0; cell < toldCells; ++cell) {
+    const kind = kinds[file.labels.raw[cell]];
+    if (isApart(layer, kind, layer.plane.at(cell))) ++counts[kind];
+  }
+  return counts;
 }
 
 // Of a layer of numbers: {label, colour, share} of cells that have none and keep no colour of their class; [] if there are no such cells.
@@ -73,9 +88,10 @@ function withoutValue(layer) {
   const kinds = content.labels.table.map(([, , , number]) => number);
   let count = 0;
   for (let cell = 0; cell < toldCells; ++cell) {
-    if (Number.isNaN(layer.plane.at(cell)) && !apartOf(layer).includes(kinds[file.labels.raw[cell]])) ++count;
+    const value = layer.plane.at(cell);
+    if (isNoNumber(layer, value) && !isApart(layer, kinds[file.labels.raw[cell]], value)) ++count;
   }
-  return count > 0 ? [{ label: "no value", colour: NO_VALUE_COLOUR, share: share(count) }] : [];
+  return count > 0 ? [{ label: layer.never ?? "no value", colour: NO_VALUE_COLOUR, share: share(count) }] : [];
 }
 
 // One colour per word or attractor number.
@@ -170,8 +186,7 @@ function kindCounts(kinds) {
 }
 
 // {label, colour, share} of each class that occurs, in the file or in other counts.
-function classEntries(counts = fileCounts()) {
-  const all = counts.reduce((sum, one) => sum + one, 0) || 1;
+function classEntries(counts = fileCounts(), all = counts.reduce((sum, one) => sum + one, 0) || 1) {
   return content.classes.map((one, number) => ({ number, ...one, share: counts[number] / all })).filter((one) => one.share > 0);
 }
 

@@ -35,6 +35,7 @@ TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", 
           "speed_q50": "median impact speed of drawn rigs", "speed_q95": "impact speed that 5 % of drawn rigs exceed",
           "outcome_others": "probability of rarer outcomes",
           "outcomes": "number of outcomes"}
+NEVER = {"last_impact": "impacts go on"}  # what -1 says
 OF_RUNS, NONE = ("status", "engine"), -128  # a filled cell had no run
 TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
@@ -101,6 +102,8 @@ def layer(file: OpenedFile, dataset: str, name: str, values: NDArray[Any], room:
         "unit": str(file.data.attribute("units", dataset) or "1"),
         "over_weight": "force" in dataset and dataset.endswith("_ratio"),
     }
+    if dataset in NEVER:
+        description["never"] = NEVER[dataset]
     if values.dtype.kind in INTEGER:
         description |= _words(file, dataset)
         plane, packed = planes.integers(values)
@@ -112,7 +115,7 @@ def layer(file: OpenedFile, dataset: str, name: str, values: NDArray[Any], room:
         top = signed_map.top_of(values)
         return description | {"title": elasticity_map.words(dataset), "about": "", "unit": "% per %", "diverging": True, "plane": plane,
                               "low": -top, "top": top}, packed
-    return description | {"plane": plane} | _span(values), packed
+    return description | {"plane": plane} | _span(values[values >= 0] if dataset in NEVER else values), packed
 
 
 def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:

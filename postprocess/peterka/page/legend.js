@@ -18,7 +18,7 @@ function drawLegend(parent, layer, counts = undefined) {
   for (const value of ticksBetween(layer.low * first, layer.top * first, 5).values) scale.append(tickOf(layer, value / first, newtons));
   const about = Object.assign(document.createElement("div"), { className: "about", textContent: aboutLayer(layer) });
   parent.append(about, bar, scale);
-  const apart = classEntries(counts).filter(({ number: kind }) => apartOf(layer).includes(kind));
+  const apart = counts ? classEntries(counts).filter(({ number: kind }) => apartOf(layer).includes(kind)) : classEntries(apartCounts(layer), toldCells);
   entriesInto(parent, [...apart, ...withoutValue(layer)]);
 }
 
@@ -35,13 +35,14 @@ const inUnit = (words, layer) => (layer.unit && layer.unit !== "1" ? `${words} (
 const aboutLayer = (layer) => (layer.over_weight && content.newtons
   ? `${layer.title} (${inOrder("N", "weights of the hammer").join(", ")})` : inUnit(layer.about || layer.title, layer));
 
+// share: null of a sweep's attractors that no branch visits.
 function entriesInto(parent, entries) {
   const list = Object.assign(document.createElement("ul"), { className: "entries" });
   for (const { label, colour, share: part, number: kind } of entries) {
     const entry = document.createElement("li");
     const patch = Object.assign(document.createElement("i"), { className: label === "not computed yet" ? "hatched" : "" });
     if (label !== "not computed yet") patch.style.background = colour;
-    entry.append(patch, document.createTextNode(`${label} `), Object.assign(document.createElement("small"), { textContent: percent(part) }));
+    entry.append(patch, document.createTextNode(`${label} `), Object.assign(document.createElement("small"), { textContent: part === null ? "on no branch" : percent(part) }));
     entry.dataset.number = kind;
     list.append(entry);
   }

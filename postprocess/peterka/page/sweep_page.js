@@ -45,7 +45,7 @@ class SweepPage extends Page {
   drawLegend() {
     const parent = element("legend");
     parent.replaceChildren();
-    entriesInto(parent, classEntries(this.#counts()));
+    entriesInto(parent, this.#entries());
     const ways = new Map(content.tracks.map(({ slot, direction, words }) => (slot === null ? [direction, words] : ["known", "an attractor that is known"])));
     marksInto(parent, [...ways]);
     if (this.layer.samples === 1 && this.#jumpsHere()) linesInto(parent, [{ words: "the force jumps", colour: OUTLINE, dash: JUMP_DASH }]);
@@ -56,11 +56,18 @@ class SweepPage extends Page {
     return content.tracks.some(({ gap, slot }, track) => gap === this.view.gap && slot === null &&
       [...file.columns.values.keys()].some((column) => file.jumps.at(file.index(track, column)) === 1));
   }
-  // Points of each class on the branches of the gap shown.
-  #counts() {
+  // Points of each class at the gap shown, on its branches or of its other attractors.
+  #counts(onBranches) {
     const columns = [...file.columns.values.keys()];
-    const here = content.tracks.flatMap(({ gap }, track) => (gap === this.view.gap ? columns.map((column) => file.index(track, column)) : []));
+    const here = content.tracks.flatMap(({ gap, slot }, track) => (
+      gap === this.view.gap && (slot === null) === onBranches ? columns.map((column) => file.index(track, column)) : []));
     return kindCounts(here.map((point) => content.labels.table[file.labels.raw[point]][3]));
+  }
+  // The classes with their shares of the branches' points; those that only other attractors have, without.
+  #entries() {
+    const onBranches = this.#counts(true);
+    const beside = this.#counts(false).map((count, kind) => (onBranches[kind] === 0 && kind !== MISSING ? count : 0));
+    return [...classEntries(onBranches), ...classEntries(beside).map((entry) => ({ ...entry, share: null }))];
   }
 
   pick(target) {

@@ -15,10 +15,17 @@ class NothingToSee(PeterkaFileError):
     """All values of a picture lie outside the limits that are requested of their scale."""
 
 
+def beyond(values: Reals, low: float, high: float) -> str:
+    """At which ends of a scale values lie beyond it, as a colour bar names them."""
+    finite = values[np.isfinite(values)]
+    below, above = bool(np.any(finite < low)), bool(np.any(finite > high))
+    return {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[below, above]
+
+
 def requested(file: OpenedFile, values: Reals, in_si: tuple[str, float] | None, ratio: str = "") -> tuple[float, float] | None:
     """The limits of a scale, in stored numbers; None where none are requested. `values`: what the picture shows, as stored; `in_si`:
     the base unit and its factor from stored numbers, if the file tells; `ratio`: what stored numbers are over, empty if they are in SI."""
-    limits = style.current().limits
+    limits = style.scale_option("limits")
     if limits is None:
         return None
     unit, factor = in_si if in_si and (not ratio or style.current().units == "si") else (ratio, 1.0)

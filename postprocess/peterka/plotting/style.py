@@ -54,7 +54,27 @@ class Style:
 
 NAMES = frozenset(field.name for field in fields(Style))
 _current = ContextVar("style", default=Style())
+_asked: ContextVar[set[str] | None] = ContextVar("asked", default=None)
 _in_use = ContextVar("style_in_use", default=False)
+
+
+def scale_option(name: str) -> Any:
+    """`limits` or `log` of the style, for a picture that has such a scale."""
+    asked = _asked.get()
+    if asked is not None:
+        asked.add(name)
+    return getattr(current(), name)
+
+
+@contextmanager
+def listening() -> Iterator[set[str]]:
+    """The names of those that pictures ask for, drawn within the block."""
+    asked: set[str] = set()
+    token = _asked.set(asked)
+    try:
+        yield asked
+    finally:
+        _asked.reset(token)
 
 
 def current() -> Style:

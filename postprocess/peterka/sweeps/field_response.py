@@ -24,11 +24,11 @@ from ..plotting.picture import picture
 from . import sweep_panels
 from .sweep_file import Branch, SweepFile
 
-CYCLES = "last_impact"
+CYCLES, LIFE = "last_impact", "life"
 ELASTICITIES = {f"elasticity_{number}": [f"{result}_elasticity_{number}" for result in elasticity_map.RESULTS]
                 for number in elasticity_map.NUMBERS}
 # Of each picture, the datasets of which a file may have one; orbits are in the bifurcation diagrams.
-PICTURES = {name: [name] for name in (*TITLES, *NUMBERS, CYCLES) if not name.startswith("orbit")} | ELASTICITIES
+PICTURES = {name: [name] for name in (*TITLES, *NUMBERS, CYCLES) if not name.startswith("orbit")} | {LIFE: ["mean_life_s"]} | ELASTICITIES
 FROM_ZERO = {*TITLES, CYCLES, *(name for name, number in NUMBERS.items() if number.from_zero)} - set(FAR_FROM_ZERO)
 MARGIN = 0.05  # of a panel's height, above and below the values
 LETTERS = 30  # in a line of the name of a scale
@@ -51,7 +51,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, name: str) -> list[Axes] | 
         return None
     scale = _scale(file, name, dataset, float(np.abs(every).max()))
     limits = requested(file, every, scale.in_si, scale.ratio)
-    log = style.current().log and every.min() > 0
+    log = (style.scale_option("log") or name == LIFE) and every.min() > 0  # lives differ by powers of ten
     second = scale.second and (_in_lines(scale.second[0]), scale.second[1])
     panels = sweep_panels.panels(file, sweep_panels.direction_handles(file, lambda branch: values[branch.row]), _in_lines(scale.label), second, ax, log=log)
     for gap, panel in panels.items():
@@ -94,7 +94,7 @@ def _scale(file: SweepFile, name: str, dataset: str, largest: float) -> Scale:
         return scale_of_quantity(TITLES[name], QUANTITIES[name][0], largest)
     if name in NUMBERS:
         return scale_of_number(file, NUMBERS[name], largest)
-    words = "forcing cycles to the last impact" if name == CYCLES else f"{elasticity_map.words(dataset)} (% per %)"
+    words = {CYCLES: "forcing cycles to the last impact", LIFE: "mean life under [noise] (s)"}.get(name) or f"{elasticity_map.words(dataset)} (% per %)"
     return Scale(words, 1, units.number)
 
 

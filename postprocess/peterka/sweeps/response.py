@@ -46,7 +46,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     limits = requested(file, forces, ("N", file.newtons) if file.newtons else None, WEIGHTS)
     handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
                *sweep_panels.measured_handles(measured, "force")]
-    panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)
+    panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.scale_option("log"))
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
         x, forces = every_attractor.forces(file, gap)
@@ -56,8 +56,8 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         every_attractor.draw(ax, x, forces)
         for branch in file.at_gap(gap):
             _draw_branch(ax, file, branch, bottom, top)
-        notes = [*_jump_notes(ax, file, gap), *_mark_strongest(ax, file, gap)]
-        sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom)
+        notes = [*_jump_notes(ax, file, gap), *_mark_strongest(ax, file, gap, bottom, top)]
+        sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom, keeps=limits is not None)
         draw_borders(ax, at_gap(borders, gap))
         draw_unstable(ax, unstable_at_gap(unstable, gap), "force")
         sweep_panels.draw_measured(ax, measured, gap, "force")
@@ -85,7 +85,7 @@ def _second_scale(file: SweepFile) -> tuple[str, float] | None:
 def _limits(file: SweepFile, gap: float | None, top: float, limits: tuple[float, float] | None) -> tuple[float, float]:
     """(bottom, top) of the forces shown, F/(m g); `limits`: those requested."""
     forces = np.concatenate([branch.force[branch.force > 0] for branch in file.at_gap(gap)])
-    bottom = 0.9 * float(forces.min(initial=top / 10)) if style.current().log else 0.0
+    bottom = 0.9 * float(forces.min(initial=top / 10)) if style.scale_option("log") else 0.0
     if limits:
         low, top = limits
         bottom = low if low > 0 or bottom == 0 else bottom
@@ -127,12 +127,13 @@ def _jump_notes(ax: Axes, file: SweepFile, gap: float | None) -> list[Note]:
     return notes
 
 
-def _mark_strongest(ax: Axes, file: SweepFile, gap: float | None) -> list[Note]:
-    """A star at the resonance of each branch, a square at a largest force that is not a maximum; returns their notes."""
+def _mark_strongest(ax: Axes, file: SweepFile, gap: float | None, bottom: float, top: float) -> list[Note]:
+    """A star at the resonance of each branch, a square at a largest force that is not a maximum, if it lies between these forces;
+    returns their notes."""
     notes: list[Note] = []
     for branch in file.at_gap(gap):
         at = branch.strongest_single()
-        if at is None:
+        if at is None or not bottom <= branch.force[at] <= top:
             continue
         look, sign = (RESONANCE, "★") if branch.is_resonance(at) else (CUT_OFF, "■")
         x, force = file.values[at], branch.force[at]

@@ -95,10 +95,11 @@ def measured_handles(measured: Measurements, quantity: str) -> list[Artist]:
 
 
 def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity: str) -> None:
-    """Draws points at the height `quantity`; points with only a frequency are marks across the panel."""
+    """Draws those points within the panel, at the height `quantity`; points with only a frequency are marks across it."""
     low, high = ax.get_xlim()
+    bottom, top = ax.get_ylim()
     points = [point for point in measured.at_gap(gap) if low <= point.frequency <= high]
-    marked = [point for point in points if getattr(point, quantity) is not None]
+    marked = [point for point in points if getattr(point, quantity) is not None and bottom <= getattr(point, quantity) <= top]
     everyone = [point for point in measured.points if getattr(point, quantity) is not None]
     marks.draw(ax, marked, ("frequency", quantity), everyone)
     ax.set_xlim(low, high)
@@ -106,9 +107,11 @@ def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity:
     marks.name(ax, marked, ("frequency", quantity), 7)
 
 
-def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
+def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0,
+               keeps: bool = False) -> None:
     """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
-    line down to its place; the data reach from `bottom` up to `top`. Once the layout is made."""
+    line down to its place; the data reach from `bottom` up to `top`, and so does the scale if it `keeps` to that: then notes may
+    stand over data. Once the layout is made."""
     width = ax.bbox.width / ax.get_figure().dpi
     placed: list[tuple[int, float, float, float, str, str]] = []
     ends: list[float] = []
@@ -119,7 +122,7 @@ def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: fl
         line = max((other[0] + 1 for other, end in zip(placed, ends) if end > first), default=0)
         placed.append((line, first, frequency, height, text, colour))
         ends.append(first + taken)
-    head = ROW * max((note[0] + 1 for note in placed), default=0) + 0.03
+    head = 0.0 if keeps else ROW * max((note[0] + 1 for note in placed), default=0) + 0.03
     logarithmic = ax.get_yscale() == "log"
     ax.set_ylim(bottom, bottom * (top / bottom) ** (1 / (1 - head)) if logarithmic else bottom + (top - bottom) / (1 - head))
     for line, first, frequency, height, text, colour in placed:
@@ -148,13 +151,15 @@ def direction_handles(file: SweepFile, values: Callable[[Branch], Reals]) -> lis
 
 
 def draw_branch(ax: Axes, file: SweepFile, branch: Branch, values: Reals) -> None:
-    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, and single marks elsewhere."""
+    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, and single marks elsewhere and
+    where no neighbour has a value."""
     look = LOOKS[branch.direction]
     along, y = line_through(file, np.where(branch.has_period, values, np.nan))
     cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
     ax.plot(np.insert(along, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
             linewidth=look.linewidth, zorder=look.zorder)
-    apart = ~branch.has_period & np.isfinite(values)
+    known = np.pad(np.isfinite(values), 1)
+    apart = known[1:-1] & (~branch.has_period | ~(known[:-2] | known[2:]))
     ax.plot(file.values[apart], values[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
             linestyle="none", zorder=look.zorder - 0.5)
 

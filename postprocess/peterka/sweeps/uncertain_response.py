@@ -40,7 +40,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     in_si = (("N", file.newtons) if file.newtons else None) if is_force else ("m/s", 1.0)
     limits = requested(file, np.concatenate([band.ravel() for band in bands.values()]), in_si, WEIGHTS if is_force else "")
     label = r"peak force $F/(m\,g)$" if is_force else "impact speed (m/s)"
-    panels = sweep_panels.panels(file, handles, label, second, ax, log=style.current().log,
+    panels = sweep_panels.panels(file, handles, label, second, ax, log=style.scale_option("log"),
                                  told=f"{draws.in_words}; {_begin_in_words(file)}")
     for gap, panel in panels.items():
         _draw_band(panel, file, bands[gap])
@@ -112,6 +112,6 @@ def _limits(limits: tuple[float, float] | None, top: float, band: Reals) -> tupl
     """(bottom, top) of a panel; `limits`: those requested."""
     if limits:
         return limits
-    if not style.current().log:
+    if not style.scale_option("log"):
         return 0.0, top
     return 0.9 * float(np.min(band[band > 0], initial=top / 10)), top
