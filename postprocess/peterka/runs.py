@@ -44,7 +44,7 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:  # noqa: A001: peterka
     with open_file(path) as file:
         reader = type(file)
         if getattr(file, "computed", 1) < 1:
-            warnings.warn(f"{os.fspath(path)}: the run isn't finished; cells without a result have regime -128", stacklevel=2)
+            warnings.warn(f"{os.fspath(path)}: the run isn't finished: what has no result yet holds fill values, such as regime -128", stacklevel=2)
     data = reader(path).data
     assert isinstance(data, CheckedFile)
     return dataset_of(data)

@@ -164,16 +164,6 @@ Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const 
     return here;
 }
 
-// In shares of the window.
-Eigen::Vector2d plane_way(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
-    return {(to.place.column - from.place.column) / stepper.window().column,
-            (to.place.row - from.place.row) / stepper.window().row};
-}
-Eigen::Vector2d plane_direction(const Stepper::Here& here) {
-    const PlanePoint along = Stepper::along(here.tangent);
-    return {along.column, along.row};
-}
-
 double duration_at(const Stepper& stepper, const OrbitPoint& point) {
     return stepper.rig().at(point.place).duration_of(point.orbit.period);
 }
@@ -187,17 +177,17 @@ std::optional<Stepper::Here> same_events_after(const Stepper& stepper, const Ste
     return same ? there : std::nullopt;
 }
 
-// `here`, reached from `from`, has lost or gained a pair of events. A branch goes on smoothly, but the
-// multipliers beside the birth of a pair change as the square root of the distance, so that a curve of folds or
-// period doublings may turn back there: with the other events it is on the same side. If it already lies behind
-// `from`, it goes away from there; otherwise it goes on where the motion keeps its events. So short a step must
-// have led to the turn that a gap asked for is hardly passed over unseen. False if it wasn't, or if `here`
-// itself doesn't have the events of its motion and there are none such beside it.
-bool goes_on_from_birth(const Stepper& stepper, const OrbitPoint& from, Stepper::Here& here) {
-    constexpr double longest_at_turn = 1e-4;
+constexpr double longest_at_turn = 1e-4;
+
+// `here` has lost a pair of events, or others have changed. A branch goes on smoothly, but the multipliers
+// beside the birth of a pair change as the square root of the distance, so that a curve of folds or period
+// doublings may turn back there: with the other events it is on the same side. It then goes on where the motion
+// keeps its events. So short a step must have led to the turn that a gap asked for is hardly passed over
+// unseen. False if it wasn't, or if `here` itself doesn't have the events of its motion and there are none such
+// beside it.
+bool goes_on_from_birth(const Stepper& stepper, Stepper::Here& here) {
     const bool sound = find_fault(stepper.rig(), here.point).kind != OrbitFault::Kind::pattern;
-    const bool is_behind = plane_way(stepper, from, here.point).dot(plane_direction(here)) < 0;
-    for (const bool turns : {is_behind, !is_behind}) {
+    for (const bool turns : {false, true}) {
         Stepper::Here way = here;
         if (turns) way.tangent = -way.tangent;
         const auto there = same_events_after(stepper, way);
@@ -207,6 +197,35 @@ bool goes_on_from_birth(const Stepper& stepper, const OrbitPoint& from, Stepper:
         return true;
     }
     return sound;
+}
+
+// `here`, reached from `from`, has gained a pair of events, beyond the birth or, where the curve turns back,
+// before it. Either way it goes on where the pair lasts longer. False as above.
+bool goes_on_with_pair(const Stepper& stepper, const OrbitPoint& from, Stepper::Here& here) {
+    const Orbit& orbit = here.point.orbit;
+    const double duration = duration_at(stepper, here.point);
+    std::size_t pair = 0;
+    for (std::size_t i = 1; i < orbit.events.size(); ++i) {
+        if (orbit.length_of_leg(i, duration) < orbit.length_of_leg(pair, duration)) pair = i;
+    }
+    const auto length_after = [&](bool turns) {
+        Stepper::Here way = here;
+        if (turns) way.tangent = -way.tangent;
+        Stepper ahead = stepper;
+        const auto there = ahead.next(way, stepper.step());
+        return there ? there->point.orbit.length_of_leg(pair, duration_at(stepper, there->point))
+                     : -std::numeric_limits<double>::infinity();
+    };
+    const PlanePoint along = Stepper::along(here.tangent);
+    const bool is_behind =
+        stepper.plane_way(from, here.point).dot(Eigen::Vector2d(along.column, along.row)) < 0;
+    const bool turns = length_after(true) > length_after(false);
+    if ((turns || is_behind) && stepper.step() > longest_at_turn) return false;
+    if (turns) here.tangent = -here.tangent;
+    if (find_fault(stepper.rig(), here.point).kind != OrbitFault::Kind::pattern) return true;
+    const auto there = same_events_after(stepper, here);
+    if (there) here = *there;
+    return there.has_value();
 }
 
 // Where a pair of events is born, the solutions of the equations turn back with the pair in reverse order: the
@@ -219,7 +238,7 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
     const auto settled = solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     if (!settled) return false;
     here = ahead_from(stepper, *settled, Stepper::along(from.tangent));
-    return goes_on_from_birth(stepper, from.point, here);
+    return goes_on_from_birth(stepper, here);
 }
 
 }  // namespace
@@ -248,8 +267,9 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
         const double after = bifurcation_of(stepper, *settled, sign);
         if ((before > 0) != (after > 0) && std::max(std::abs(before), std::abs(after)) > rounding) return false;
     }
+    const bool gains = settled->orbit.events.size() > here.point.orbit.events.size();
     here = ahead_from(stepper, *settled, ahead);
-    return goes_on_from_birth(stepper, from.point, here);
+    return gains ? goes_on_with_pair(stepper, from.point, here) : goes_on_from_birth(stepper, here);
 }
 
 }  // namespace peterka::curves

@@ -30,6 +30,12 @@ class Stepper {
     // lengthens the next. None if the steps become too short.
     [[nodiscard]] std::optional<Here> next(const Here& here, double longest);
 
+    // From place to place, in shares of the window.
+    [[nodiscard]] Eigen::Vector2d plane_way(const OrbitPoint& from, const OrbitPoint& to) const {
+        return {(to.place.column - from.place.column) / window_.column,
+                (to.place.row - from.place.row) / window_.row};
+    }
+
     void set_step(double step) { step_ = step; }
     [[nodiscard]] double step() const { return step_; }
     // The displacement of the place along a tangent, in shares of the window.

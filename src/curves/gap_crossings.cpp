@@ -7,16 +7,6 @@
 
 namespace peterka::curves {
 
-namespace {
-
-bool is_within(const Eigen::VectorXd& way, const Eigen::VectorXd& chord) {
-    constexpr double rounding = 1e-6;
-    const double share = way.dot(chord) / chord.squaredNorm();
-    return share > -rounding && share < 1 + rounding;
-}
-
-}  // namespace
-
 void GapCrossings::look(const Stepper::Here& here, const OrbitPoint& there) {
     if (window_.gaps.empty()) return;
     const auto back = turn(here, there);
@@ -48,23 +38,19 @@ void GapCrossings::look_between(const OrbitPoint& here, const OrbitPoint& there)
     }
 }
 
-// Of points on different sides of a gap. Newton's method may go to a crossing beside them.
-std::optional<OrbitPoint> GapCrossings::crossing(OrbitPoint low, OrbitPoint high, double gap) const {
-    constexpr int most_halvings = 40;
-    if (!has_same_events(low.orbit, high.orbit)) {
-        const auto found = motion_at(gap, high);
-        return found ? found : motion_at(gap, low);
+// Of points on different sides of a gap. Newton's method from either of them may go to a crossing beside them.
+std::optional<OrbitPoint> GapCrossings::crossing(const OrbitPoint& here, const OrbitPoint& there,
+                                                 double gap) const {
+    const double share = (gap_of(here) - gap) / (gap_of(here) - gap_of(there));
+    if (has_same_events(here.orbit, there.orbit)) {
+        if (const auto found = motion_at(gap, between(here, there, share))) return found;
     }
-    const auto above = [&](const OrbitPoint& point) { return gap_of(point) - gap; };
-    for (int halving = 0; halving < most_halvings; ++halving) {
-        const double share = above(low) / (above(low) - above(high));
-        const auto found = motion_at(gap, between(low, high, share));
-        if (found && lies_between(low, high, *found)) return found;
-        const auto middle =
-            solve(stepper_.rig(), between(low, high, 0.5), stepper_.window(), stepper_.conditions());
-        if (!middle || !has_same_events(middle->orbit, low.orbit))
-            return found && lies_between_in_plane(low, high, *found) ? found : std::nullopt;
-        ((above(*middle) > 0) == (above(low) > 0) ? low : high) = *middle;
+    OrbitPoint on_the_way = here;
+    on_the_way.place = {std::lerp(here.place.column, there.place.column, share),
+                        std::lerp(here.place.row, there.place.row, share)};
+    for (const OrbitPoint& guess : {there, on_the_way, here}) {
+        const auto found = motion_at(gap, guess);
+        if (found && lies_between(here, there, *found)) return found;
     }
     return std::nullopt;
 }
@@ -88,21 +74,13 @@ bool GapCrossings::has_other_events(const OrbitPoint& point) const {
     return find_fault(stepper_.rig(), point).kind == OrbitFault::Kind::pattern;
 }
 
-// By its projection on the chord of a step, in the plane if its events are others.
-bool GapCrossings::lies_between(const OrbitPoint& low, const OrbitPoint& high, const OrbitPoint& point) const {
-    if (!has_same_events(low.orbit, point.orbit)) return lies_between_in_plane(low, high, point);
-    return is_within(way_between(stepper_.rig(), low, point, stepper_.window()),
-                     way_between(stepper_.rig(), low, high, stepper_.window()));
-}
-
-bool GapCrossings::lies_between_in_plane(const OrbitPoint& low, const OrbitPoint& high,
-                                         const OrbitPoint& point) const {
-    const PlanePoint size = stepper_.window();
-    const auto way = [&](const OrbitPoint& to) {
-        return Eigen::Vector2d((to.place.column - low.place.column) / size.column,
-                               (to.place.row - low.place.row) / size.row);
-    };
-    return is_within(way(point), way(high));
+// By its projection on the chord of a step, in the plane.
+bool GapCrossings::lies_between(const OrbitPoint& here, const OrbitPoint& there,
+                                const OrbitPoint& point) const {
+    constexpr double rounding = 1e-6;
+    const Eigen::Vector2d chord = stepper_.plane_way(here, there);
+    const double share = stepper_.plane_way(here, point).dot(chord) / chord.squaredNorm();
+    return share > -rounding && share < 1 + rounding;
 }
 
 }  // namespace peterka::curves

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "curves/branch_step.hpp"
@@ -21,13 +22,12 @@ class GapCrossings {
   private:
     [[nodiscard]] std::optional<OrbitPoint> turn(const Stepper::Here& here, const OrbitPoint& there) const;
     void look_between(const OrbitPoint& here, const OrbitPoint& there);
-    [[nodiscard]] std::optional<OrbitPoint> crossing(OrbitPoint low, OrbitPoint high, double gap) const;
+    [[nodiscard]] std::optional<OrbitPoint> crossing(const OrbitPoint& here, const OrbitPoint& there,
+                                                     double gap) const;
     [[nodiscard]] std::optional<OrbitPoint> motion_at(double gap, const OrbitPoint& guess) const;
     [[nodiscard]] bool has_other_events(const OrbitPoint& point) const;
-    [[nodiscard]] bool lies_between(const OrbitPoint& low, const OrbitPoint& high,
+    [[nodiscard]] bool lies_between(const OrbitPoint& here, const OrbitPoint& there,
                                     const OrbitPoint& point) const;
-    [[nodiscard]] bool lies_between_in_plane(const OrbitPoint& low, const OrbitPoint& high,
-                                             const OrbitPoint& point) const;
     [[nodiscard]] double gap_of(const OrbitPoint& point) const {
         return coordinate(point.place, window_.gap_axis);
     }

@@ -36,17 +36,19 @@ bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const Curv
            std::abs(nearest.total_speed - point.total_speed) < alike * (1e-3 + point.total_speed);
 }
 
-// By several points: where trace or speed change fast, a point isn't recognized.
-bool is_known(const std::vector<Curve>& known, const Curve& curve, const PlanePoint& window) {
-    constexpr std::size_t points = 5;
-    return std::ranges::any_of(known, [&](const Curve& other) {
-        std::size_t on = 0;
-        for (std::size_t n = 1; n <= points; ++n) {
-            const CurvePoint& point = curve.points[n * curve.points.size() / (points + 1)];
-            on += lies_on(other, curve.kind, curve.period, point, window) ? 1 : 0;
-        }
-        return 2 * on > points;
-    });
+int points_on(const Curve& curve, const Curve& other, const PlanePoint& window) {
+    int on = 0;
+    for (std::size_t n = 1; n <= points_of_curve; ++n) {
+        const CurvePoint& point = curve.points[n * curve.points.size() / (points_of_curve + 1)];
+        on += lies_on(other, curve.kind, curve.period, point, window) ? 1 : 0;
+    }
+    return on;
+}
+
+// Not by one point: where trace or speed change fast, a point isn't recognized.
+bool is_same(const Curve& a, const Curve& b, const PlanePoint& window) {
+    const int most = std::max(points_on(a, b, window), points_on(b, a, window));
+    return 2 * most > static_cast<int>(points_of_curve);
 }
 
 }  // namespace peterka::curves

@@ -19,7 +19,11 @@ struct Nearest {
 [[nodiscard]] bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
                            const PlanePoint& window);
 
-// Whether a curve has already been found.
-[[nodiscard]] bool is_known(const std::vector<Curve>& known, const Curve& curve, const PlanePoint& window);
+// How many of five points of a curve, spread over it, lie on another.
+inline constexpr std::size_t points_of_curve = 5;
+[[nodiscard]] int points_on(const Curve& curve, const Curve& other, const PlanePoint& window);
+
+// Whether most of one of two curves lies on the other.
+[[nodiscard]] bool is_same(const Curve& a, const Curve& b, const PlanePoint& window);
 
 }  // namespace peterka::curves

@@ -182,9 +182,16 @@ class CurveSearch {
                 NumberReader reader(numbers);
                 const double seconds = reader.number();
                 Curve curve = unpack_curve(reader);
-                if (curve.points.size() < 2 || is_known(found_.curves, curve, window_.size())) continue;
-                found_.curves.push_back(std::move(curve));
-                found_.seconds.push_back(seconds);
+                if (curve.points.size() < 2) continue;
+                const auto known = std::ranges::find_if(
+                    found_.curves, [&](const Curve& other) { return is_same(other, curve, window_.size()); });
+                if (known == found_.curves.end()) {
+                    found_.curves.push_back(std::move(curve));
+                    found_.seconds.push_back(seconds);
+                } else if (points_on(*known, curve, window_.size()) >
+                           points_on(curve, *known, window_.size())) {
+                    *known = std::move(curve);  // which goes on where the other ended
+                }
             }
             seeds = std::move(waiting);
         }

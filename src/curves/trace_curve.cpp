@@ -59,8 +59,12 @@ class HalfCurve {
                 continue;
             }
             if (count > 4 && closes(seed, here, *there)) {
-                look_for_specials(here, seed);
-                crossings.look(seed, here.point);  // the first point is told already
+                const auto last = told_like(rig_, seed.point, here.point.orbit);
+                if (last) {
+                    const Stepper::Here end_point = stepper_.at(*last, here.tangent);
+                    look_for_specials(here, end_point);
+                    crossings.look(end_point, here.point);  // the first point is told already
+                }
                 keep(seed.point);
                 end = CurveEnd::closed;
                 return;
@@ -253,6 +257,19 @@ CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind) 
     return result;
 }
 
+namespace {
+
+// A curve may come back on itself where the stop begins to release within a contact.
+bool is_told(const std::vector<Crossing>& told, const Crossing& crossing, const Window& window) {
+    constexpr double same = 1e-9;  // of the window
+    return std::ranges::any_of(told, [&](const Crossing& other) {
+        return std::abs(other.place.column - crossing.place.column) < same * window.size().column &&
+               std::abs(other.place.row - crossing.place.row) < same * window.size().row;
+    });
+}
+
+}  // namespace
+
 Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     Curve curve;
     curve.kind = seed.kind;
@@ -276,9 +293,11 @@ Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     curve.points.push_back(curve_point(rig, seed.point, seed.kind));
     curve.points.insert(curve.points.end(), forward.points.begin(), forward.points.end());
     curve.specials = backward.specials;
-    curve.crossings = backward.crossings.found();
-    const std::vector<Crossing>& more = forward.crossings.found();
-    curve.crossings.insert(curve.crossings.end(), more.begin(), more.end());
+    for (const HalfCurve* half : {&backward, &forward}) {
+        for (const Crossing& crossing : half->crossings.found()) {
+            if (!is_told(curve.crossings, crossing, window)) curve.crossings.push_back(crossing);
+        }
+    }
     curve.specials.insert(curve.specials.end(), forward.specials.begin(), forward.specials.end());
     return curve;
 }

@@ -504,6 +504,8 @@ FAST = (0.05484167275935482, YIELDS.format(314676.5705367602, 554.8485271146909)
     (FAST, 0.614876, FOLD, 2, [2.633136276, 2.633166913]),
     # one that closes with its orbits told from another cycle on, and went round again and again
     (FAST, 1.0, DOUBLING, 2, [2.612936561, 2.650389029]),
+    # in the step that closes it
+    (FAST, 1.262, DOUBLING, 2, [2.336309771, 2.381699158, 2.488514694]),
     # one that was traced twice, as its orbits change fast at its middle
     (FAST, -0.22, GRAZING, 2, [3.140272557]),
 ])

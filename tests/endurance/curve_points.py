@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Points of curves, each against the motion that begins there: those of folds and period doublings of random rigs have to return after
 their q cycles (curve_points.cpp), within 1e-5 (1 + velocity). The first and the last two of a curve aren't counted: at a grazing, where many
-curves end, motions are as sensitive as one likes. Their places at 99 gaps are compared with each other, too: of one kind and period none may be
-told twice.
+curves end, motions are as sensitive as one likes. Their places at 99 gaps are compared with each other, too: how many of one kind and
+period are told twice is counted.
 
     PETERKA_ENDURANCE_RIGS=5 tests/endurance.sh curve_points     instead of 30
 """

@@ -52,6 +52,25 @@ def test_nothing_beyond_the_limits_stands_in_another_panel(tmp_path):
     assert any(15.0 in line.get_ydata() for line in panels[1].lines)
 
 
+def test_measured_points_beyond_what_is_computed_are_seen(tmp_path):
+    """Without limits a panel grows to hold them."""
+    measured = Measurements([Point(2.0, None, 50.0, 0.0, "")], [])
+    with open_file(write_sweep(tmp_path / "a.h5")) as file:
+        panel = pictures_of(file, measured=measured)["bifurcation"](file)[0]
+    assert any(50.0 in line.get_ydata() for line in panel.lines) and panel.get_ylim()[1] > 50
+
+
+def test_a_logarithmic_scale_has_no_limit_below_0(tmp_path):
+    lives = np.full((4, 13), np.nan)
+    lives[0] = np.geomspace(1, 100, 13)
+    path = write_sweep(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file["mean_life_s"] = lives
+    with open_file(path) as file:
+        panel = pictures_of(file)["life"](file, limits=(0, 50))[0]
+    assert panel.get_ylim() == pytest.approx((0.9, 50))
+
+
 def test_kicks_shares_and_lives_have_limits(tmp_path):
     with open_file(write_attractors(tmp_path / "a.h5")) as file:
         pictures = pictures_of(file)
@@ -61,11 +80,11 @@ def test_kicks_shares_and_lives_have_limits(tmp_path):
 
 
 @pytest.mark.parametrize("name, options, told", [
-    ("map", ("--limits", "1,2"), "map: has no scale for --limits"), ("map", ("--log",), "map: has no scale for --log"),
-    ("map", ("--log", "--limits", "1,2"), "map: has no scale for --limits or --log"), ("force_all", ("--log",), None)])
+    ("map", ("--limits", "1,2"), "map: --limits sets nothing in it"), ("map", ("--log",), "map: --log sets nothing in it"),
+    ("map", ("--log", "--limits", "1,2"), "map: --limits and --log set nothing in it"), ("force_all", ("--log",), None)])
 def test_a_picture_without_such_a_scale_says_so(tmp_path, draw, name, options, told):
     outcome = draw(write_map(tmp_path / "a.h5"), "--only", name, *options)
-    assert outcome.code == 0 and (told in outcome.stdout if told else "no scale" not in outcome.stdout)
+    assert outcome.code == 0 and (told in outcome.stdout if told else "nothing in it" not in outcome.stdout)
 
 
 def test_what_has_no_logarithm_is_named(tmp_path):
@@ -75,6 +94,8 @@ def test_what_has_no_logarithm_is_named(tmp_path):
             figure = figure_of(pictures_of(file)["lyapunov"](file, log=log))
             texts = [text.get_text() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
             assert ("0 or below: no logarithm" in texts) == log
+        figure = figure_of(pictures_of(file)["lyapunov"](file, log=True, limits=(-1, -0.1)))  # of which there is none
+        assert not any("no logarithm" in text.get_text() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts())
 
 
 @pytest.mark.parametrize("log, limits, lowest", [(False, (0, 30), 0), (False, (-5, 30), -5), (False, (5, 30), 5), (True, (5, 30), 5),

@@ -62,7 +62,7 @@ def test_a_table_of_the_job_may_be_called_output():
 
 def test_a_file_that_a_run_has_not_finished_says_so(tmp_path):
     path = write_map(tmp_path / "a.h5", [[(1, 1, 1), (-128, -1, -1)]])
-    with pytest.warns(UserWarning, match="the run isn't finished; cells without a result have regime -128"):
+    with pytest.warns(UserWarning, match="the run isn't finished: what has no result yet holds fill values"):
         assert peterka.open(path).regime.values.tolist() == [[1, -128]]
 
 

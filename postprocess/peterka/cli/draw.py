@@ -175,7 +175,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
                 continue
             unheard = [f"--{option}" for option in ("limits", "log") if getattr(arguments, option) and option not in asked]
             if unheard and arguments.only:
-                tell(f"{name}: has no scale for {' or '.join(unheard)}")
+                tell(f"{name}: {' and '.join(unheard)} {'set' if len(unheard) > 1 else 'sets'} nothing in it")
             save_all(figure_of(drawn), arguments.output_dir, picture_name(file, name), arguments.formats)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
             del drawn

@@ -149,7 +149,7 @@ def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
         return np.where((regime == NOT_COMPUTED) | (_unknown_share(of, shares) >= MOST_UNDECIDED), np.nan, impacting)
 
     reduced = reduced_values(file, ["regime", "attractor_regime", "basin_share"], share, None)
-    told = [*undecided_in_words(file, "attractor_regime", "basin_share", "starts"), *_not_kept_in_words(file)]
+    told = [*undecided_in_words(file, "attractor_regime", "basin_share", "starts"), *_not_kept_in_words(file, "ones without impacts")]
     left_out = any(np.any(_unknown_share(band["attractor_regime"], band["basin_share"]) >= MOST_UNDECIDED)
                    for _, band in file.bands(["regime", "attractor_regime", "basin_share"]))
     lacking = f"half or more unresolved{' or not kept' * _keeps_few(file)}" if left_out else None
@@ -170,10 +170,12 @@ def _keeps_few(file: PeterkaFile) -> bool:
     return any(np.any(_share_not_kept(band["basin_share"]) > 0) for _, band in file.bands(["regime", "basin_share"]))
 
 
-def _not_kept_in_words(file: PeterkaFile) -> list[str]:
-    missing = [_share_not_kept(band["basin_share"]) for _, band in file.bands(["regime", "basin_share"])]
-    most = max(float(np.max(some, where=some < MOST_UNDECIDED, initial=0)) for some in missing)
-    return [f"starts on attractors that aren't kept count as ones without impacts: up to {axes.percent(most)} in a cell"] if most > 0 else []
+def _not_kept_in_words(file: PeterkaFile, counts_as: str) -> list[str]:
+    """What a picture of shares says of starts that end on attractors beyond a cell's slots; those of cells that it leaves out don't count."""
+    most = max(float(np.max(_share_not_kept(band["basin_share"]), initial=0,
+                            where=_unknown_share(band["attractor_regime"], band["basin_share"]) < MOST_UNDECIDED))
+               for _, band in file.bands(["regime", "attractor_regime", "basin_share"]))
+    return [f"starts on attractors that aren't kept count as {counts_as}: up to {axes.percent(most)} in a cell"] if most > 0 else []
 
 
 def undecided_share(of: Integers, shares: Reals) -> Reals:
@@ -200,7 +202,7 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
 
     reduced = reduced_values(file, LABELS, share, None)
     text = f"in $z = {entry.label}$" if entry.orbit else END_WORDS[entry.label]
-    return _draw_scale(file, ax, reduced, f"share of starts that end {text}", 1, None)
+    return _draw_scale(file, ax, reduced, f"share of starts that end {text}", 1, None, _not_kept_in_words(file, "ones that end otherwise"))
 
 
 def commonest(file: PeterkaFile) -> list[str]:

@@ -22,7 +22,7 @@ from ..plotting import axes, style
 from ..plotting.classes import CLASSES, INDEX, Class, classify
 from ..plotting.fills import Fill, fill, grey
 from ..plotting.frames import label_of_bar
-from ..plotting.limits import requested
+from ..plotting.limits import EXTENDS, requested
 from ..plotting.notes import write_beside
 from ..plotting.seen import SEEN
 from ..measurements import marks
@@ -90,15 +90,15 @@ def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Meas
     has_zero = bool(field.zero and peak.value > 0 and np.any(values.image == 0))
     if has_zero:
         legend.insert(0, axes.legend_patch(field.zero, without_value(OTHER_COLOUR)))
-    has_no_log = bool(style.scale_option("log") and peak.value > 0 and np.any(values.image <= 0) and not has_zero)
-    if has_no_log:
-        legend.insert(0, axes.legend_patch("0 or below: no logarithm", without_value(OTHER_COLOUR)))
-    figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
-    axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
     scale = _in_units(field.scale(peak.value))
     shown = ma.masked_invalid(values.image) * scale.factor
     limits = requested(file, shown.compressed() / scale.factor, scale.in_si, scale.ratio)
     norm = _norm(shown, peak.value * scale.factor, field.from_zero, limits and [limit * scale.factor for limit in limits])
+    has_no_log = isinstance(norm, LogNorm) and not has_zero and bool(np.any(values.image <= 0))
+    if has_no_log:
+        legend.insert(0, axes.legend_patch("0 or below: no logarithm", without_value(OTHER_COLOUR)))
+    figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
+    axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
     if has_zero:
         _show_apart(ax, values, shown == 0)
         shown = ma.masked_equal(shown, 0)
@@ -204,8 +204,7 @@ def _told(label: str, beyond: str) -> str:
 
 
 def _draw_bar(figure: Figure, bar_ax: Axes, mesh: QuadMesh, scale: Scale, beyond: tuple[bool, bool]) -> None:
-    extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=extend[bool(beyond[0]), bool(beyond[1])])
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=EXTENDS[bool(beyond[0]), bool(beyond[1])])
     if isinstance(mesh.norm, LogNorm):
         axes.number_log_scale(bar_ax.xaxis)
     bar.outline.set_linewidth(0.6)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals, ma
 from ..files.regimes import NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
-from ..plotting import axes
+from ..plotting import axes, style
 from ..plotting.limits import beyond, requested
 from ..plotting.picture import picture
 from .attractor_maps import reduced_values
@@ -46,7 +46,9 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     handles = [axes.legend_patch(text, looks[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, looks, WAITING)
-    low, high = requested(file, reduced.image, ("s", 1.0)) or _limits(reduced.image)
+    style.scale_option("log")  # lives have such a scale anyway
+    limits = requested(file, reduced.image, ("s", 1.0))
+    low, high = limits if limits and np.isfinite(reduced.image).any() else _limits(reduced.image)
     low = max(low, high / WIDEST)
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          norm=LogNorm(low, high), rasterized=True)

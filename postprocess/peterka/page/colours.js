@@ -45,7 +45,7 @@ const apartOf = (layer) => (isOfDraws(layer) ? [MISSING] : APART);
 
 const isNoNumber = (layer, value) => Number.isNaN(value) || (layer.never !== undefined && value < 0);
 // Whether a cell of a class that is set apart keeps its colour.
-const isApart = (layer, kind, value) => apartOf(layer).includes(kind) && !(value > 0) && !(layer.never !== undefined && value < 0);
+const isApart = (layer, kind, value) => apartOf(layer).includes(kind) && !(value > 0);
 
 function numberPainter(layer) {
   const { raw } = file.labels;

@@ -8,6 +8,7 @@ from ..errors import PeterkaFileError
 from ..files.opened import OpenedFile
 from . import style, units
 
+EXTENDS = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}  # of a bar, by whether values lie below, above
 WEIGHTS = "weights of the hammer, F/(m g)"
 
 
@@ -19,7 +20,7 @@ def beyond(values: Reals, low: float, high: float) -> str:
     """At which ends of a scale values lie beyond it, as a colour bar names them."""
     finite = values[np.isfinite(values)]
     below, above = bool(np.any(finite < low)), bool(np.any(finite > high))
-    return {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[below, above]
+    return EXTENDS[below, above]
 
 
 def requested(file: OpenedFile, values: Reals, in_si: tuple[str, float] | None, ratio: str = "") -> tuple[float, float] | None:

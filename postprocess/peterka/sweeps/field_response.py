@@ -54,6 +54,8 @@ def draw(file: SweepFile, ax: Axes | None = None, *, name: str) -> list[Axes] | 
     log = (style.scale_option("log") or name == LIFE) and every.min() > 0  # lives differ by powers of ten
     second = scale.second and (_in_lines(scale.second[0]), scale.second[1])
     panels = sweep_panels.panels(file, sweep_panels.direction_handles(file, lambda branch: values[branch.row]), _in_lines(scale.label), second, ax, log=log)
+    if limits and log:
+        limits = limits[0] if limits[0] > 0 else 0.9 * float(every.min()), limits[1]
     for gap, panel in panels.items():
         for branch in file.at_gap(gap):
             sweep_panels.draw_branch(panel, file, branch, scale.factor * values[branch.row])

@@ -60,7 +60,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom, keeps=limits is not None)
         draw_borders(ax, at_gap(borders, gap))
         draw_unstable(ax, unstable_at_gap(unstable, gap), "force")
-        sweep_panels.draw_measured(ax, measured, gap, "force")
+        sweep_panels.draw_measured(ax, measured, gap, "force", limits)
     return list(panels.values())
 
 

@@ -94,10 +94,10 @@ def measured_handles(measured: Measurements, quantity: str) -> list[Artist]:
     return marks.handles([point for point in measured.points if getattr(point, quantity) is not None])
 
 
-def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity: str) -> None:
-    """Draws those points within the panel, at the height `quantity`; points with only a frequency are marks across it."""
+def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity: str, limits: tuple[float, float] | None = None) -> None:
+    """Draws points at the height `quantity`, of those `limits` requested within them; points with only a frequency are marks across the panel."""
     low, high = ax.get_xlim()
-    bottom, top = ax.get_ylim()
+    bottom, top = limits or (-np.inf, np.inf)
     points = [point for point in measured.at_gap(gap) if low <= point.frequency <= high]
     marked = [point for point in points if getattr(point, quantity) is not None and bottom <= getattr(point, quantity) <= top]
     everyone = [point for point in measured.points if getattr(point, quantity) is not None]
@@ -158,8 +158,11 @@ def draw_branch(ax: Axes, file: SweepFile, branch: Branch, values: Reals) -> Non
     cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
     ax.plot(np.insert(along, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
             linewidth=look.linewidth, zorder=look.zorder)
-    known = np.pad(np.isfinite(values), 1)
-    apart = known[1:-1] & (~branch.has_period | ~(known[:-2] | known[2:]))
+    known = branch.has_period & np.isfinite(values)
+    joined = known[:-1] & known[1:]
+    joined[cuts[(cuts > 0) & (cuts < len(known))] - 1] = False
+    alone = known & ~np.append(joined, False) & ~np.insert(joined, 0, False) if len(known) > 1 else np.zeros_like(known)
+    apart = alone | (~branch.has_period & np.isfinite(values))
     ax.plot(file.values[apart], values[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
             linestyle="none", zorder=look.zorder - 0.5)
 
