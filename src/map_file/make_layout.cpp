@@ -74,7 +74,9 @@ void describe(const hdf5::Checked& check, hid_t dataset, const hdf5::Variable& v
         hdf5::write_attribute(check, dataset, "flag_values", std::span<const std::int8_t>(small));
     }
     hdf5::write_attribute(check, dataset, "flag_meanings", meanings);
-    hdf5::write_attribute(check, dataset, "comment", fmt::format("{}: none, as of what isn't computed yet or an empty slot", variable.fill));
+    hdf5::write_attribute(
+        check, dataset, "comment",
+        fmt::format("{}: none, as of what isn't computed yet or an empty slot", variable.fill));
 }
 
 hdf5::DatasetId make_dataset(const hdf5::Checked& check, hid_t file, const DatasetPlan& plan) {

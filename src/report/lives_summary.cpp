@@ -12,9 +12,8 @@ std::string lives_summary(const scene::Scene& scene, const findings::LifeFinding
     if (!scene.job().noise.any()) return "";
     const bool has_starts = scene.job().starts.count > 0;
     // the branches of a gap store the same attractors
-    const std::int64_t times = has_starts && scene.job().kind == job::Kind::sweep
-                                   ? job::branches_of_a_gap(scene.job().sweep)
-                                   : 1;
+    const std::int64_t times =
+        has_starts && scene.job().kind == job::Kind::sweep ? job::branches_of_a_gap(scene.job().sweep) : 1;
     const std::int64_t others = all.others / times;
     const std::int64_t motions = all.motions / times;
     const std::int64_t ending = all.ending / times;
