@@ -43,13 +43,13 @@ std::optional<OrbitPoint> GapCrossings::crossing(const OrbitPoint& here, const O
                                                  double gap) const {
     const double share = (gap_of(here) - gap) / (gap_of(here) - gap_of(there));
     if (has_same_events(here.orbit, there.orbit)) {
-        if (const auto found = motion_at(gap, between(here, there, share))) return found;
+        if (auto found = motion_at(gap, between(here, there, share))) return found;
     }
     OrbitPoint on_the_way = here;
     on_the_way.place = {std::lerp(here.place.column, there.place.column, share),
                         std::lerp(here.place.row, there.place.row, share)};
     for (const OrbitPoint& guess : {there, on_the_way, here}) {
-        const auto found = motion_at(gap, guess);
+        auto found = motion_at(gap, guess);
         if (found && lies_between(here, there, *found)) return found;
     }
     return std::nullopt;

@@ -12,8 +12,8 @@ namespace peterka::curves {
 
 class GapCrossings {
   public:
-    GapCrossings(Stepper stepper, const Window& window, CurveKind kind)
-        : stepper_(std::move(stepper)), window_(window), kind_(kind) {}
+    GapCrossings(Stepper stepper, Window window, CurveKind kind)
+        : stepper_(std::move(stepper)), window_(std::move(window)), kind_(kind) {}
 
     // Those of a step; a point at such a gap belongs to the step that ends there.
     void look(const Stepper::Here& here, const OrbitPoint& there);

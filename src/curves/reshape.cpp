@@ -98,7 +98,7 @@ std::optional<OrbitPoint> told_like(const Rig& rig, const OrbitPoint& point, con
             }
         }
         events.front().time += static_cast<double>(point.orbit.period) * cycle;
-        std::ranges::rotate(events, events.begin() + 1);
+        std::rotate(events.begin(), events.begin() + 1, events.end());
     }
     return best;
 }

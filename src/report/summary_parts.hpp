@@ -34,7 +34,7 @@ namespace peterka {
 [[nodiscard]] std::string kicks_summary(const job::Job& job, const findings::KickCounts& counts);
 
 // How long settled motions last under the disturbances of [noise].
-[[nodiscard]] std::string lives_summary(const scene::Scene& scene, const findings::LifeFindings& lives);
+[[nodiscard]] std::string lives_summary(const scene::Scene& scene, const findings::LifeFindings& all);
 
 // What the peak force, or on a rigid stop the impact speed, of a map's commonest orbits depends on; "" if no
 // orbit has an elasticity.
