@@ -191,6 +191,7 @@ class CurveSearch {
                 } else if (points_on(*known, curve, window_.size()) >
                            points_on(curve, *known, window_.size())) {
                     *known = std::move(curve);  // which goes on where the other ended
+                    found_.seconds[static_cast<std::size_t>(known - found_.curves.begin())] = seconds;
                 }
             }
             seeds = std::move(waiting);
@@ -251,14 +252,10 @@ class CurveSearch {
         for (const Numbers& numbers : results) {
             for (NumberReader reader(numbers); !reader.done();) {
                 const UnstableBranch branch = unpack_branch(reader);
-                const auto known = std::ranges::find_if(found_.branches, [&](const UnstableBranch& other) {
-                    return is_same_branch(other, branch);
+                const bool is_known = std::ranges::any_of(found_.branches, [&](const UnstableBranch& known) {
+                    return is_same_branch(known, branch);
                 });
-                if (known == found_.branches.end()) {
-                    found_.branches.push_back(branch);
-                } else if (lost_ends(branch) < lost_ends(*known)) {
-                    *known = branch;
-                }
+                if (!is_known) found_.branches.push_back(branch);
             }
         }
         std::ranges::stable_sort(found_.branches, {}, [](const UnstableBranch& branch) {

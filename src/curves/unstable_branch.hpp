@@ -38,10 +38,6 @@ struct UnstableBranch {
 [[nodiscard]] std::vector<UnstableBranch> unstable_branches(const Rig& rig, const Seed& seed,
                                                             const Window& window);
 
-[[nodiscard]] inline int lost_ends(const UnstableBranch& branch) {
-    return (branch.begins == BranchEnd::lost ? 1 : 0) + (branch.ends == BranchEnd::lost ? 1 : 0);
-}
-
 // Whether two branches are the same, possibly found from opposite ends.
 [[nodiscard]] bool is_same_branch(const UnstableBranch& a, const UnstableBranch& b);
 

@@ -50,7 +50,6 @@ const isApart = (layer, kind, value) => apartOf(layer).includes(kind) && !(value
 function numberPainter(layer) {
   const { raw } = file.labels;
   const kinds = content.labels.table.map(([, , , number]) => number);
-  const apart = kinds.map((number) => apartOf(layer).includes(number));
   const none = abgr(NO_VALUE_COLOUR);
   const colours = Uint32Array.from(scaleOf(layer), abgr);
   const last = colours.length - 1;
@@ -65,7 +64,7 @@ function numberPainter(layer) {
       const label = raw[cell];
       const value = layer.plane.at(cell);
       if (kinds[label] === MISSING) out[from + x] = hatched(x, y);
-      else if (apart[label] && isApart(layer, kinds[label], value)) out[from + x] = CLASS_COLOURS[kinds[label]];
+      else if (isApart(layer, kinds[label], value)) out[from + x] = CLASS_COLOURS[kinds[label]];
       else if (isNoNumber(layer, value)) out[from + x] = none;
       else out[from + x] = colours[Math.max(0, Math.min(last, Math.round((value - layer.low) * step)))];
     }
