@@ -152,6 +152,12 @@ def test_notes_of_a_falling_branch_are_black_in_grey(tmp_path):
     assert {to_rgb(text.get_color()) for text in notes} == {(0.0, 0.0, 0.0)}
 
 
+def test_the_legend_names_what_limits_leave(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = figure_of(response.draw(file, limits=(1.0, 22.0)))  # below chaos, at 25 weights, and the largest of 1/1
+    assert legend_texts(figure)[:3] == ["frequency rising", "frequency falling", "jump"]
+
+
 def test_only_a_maximum_inside_the_band_is_a_resonance(tmp_path):
     """At gap 0 it is; at 1.5 both branches are cut off by a jump."""
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:

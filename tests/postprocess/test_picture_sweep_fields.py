@@ -104,8 +104,9 @@ def test_lives_have_a_logarithmic_scale_and_a_mark_where_one_stands_alone(tmp_pa
     lives[0, :3], lives[0, 6] = [1.0, 10.0, 100.0], 1000.0
     panel = drawn(write_fields(tmp_path / "a.h5", mean_life_s=lives), "life")[0]
     assert panel.get_yscale() == "log" and panel.get_ylabel() == "mean life under [noise] (s)"
-    alone, = [line for line in panel.lines if line.get_marker() == LOOKS["up"].marker and len(line.get_xdata())]
+    alone, = [line for line in panel.lines if line.get_marker() == "_" and len(line.get_xdata())]
     assert alone.get_xydata().tolist() == [[FREQUENCY[6], 1000.0]]
+    assert not any(line.get_marker() == LOOKS["up"].marker and len(line.get_xdata()) for line in panel.lines)  # "no period"
 
 
 def test_a_dataset_of_another_shape_is_no_field(tmp_path):

@@ -44,7 +44,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     second = _second_scale(file)
     forces = np.concatenate([branch.force for branch in file.branches])
     limits = requested(file, forces, ("N", file.newtons) if file.newtons else None, WEIGHTS)
-    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
+    handles = [*_handles(file, limits), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
                *sweep_panels.measured_handles(measured, "force")]
     panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.scale_option("log"))
     for gap, ax in panels.items():
@@ -92,10 +92,13 @@ def _limits(file: SweepFile, gap: float | None, top: float, limits: tuple[float,
     return bottom, top
 
 
-def _handles(file: SweepFile) -> list[Artist]:
-    handles = sweep_panels.direction_handles(file, lambda branch: branch.force)
+def _handles(file: SweepFile, limits: tuple[float, float] | None) -> list[Artist]:
+    """Legend entries of what is drawn within these limits, if requested."""
+    low, high = limits or (-np.inf, np.inf)
+    handles = sweep_panels.direction_handles(
+        file, lambda branch: np.where((low <= branch.force) & (branch.force <= high), branch.force, np.nan))
     strongest = [(branch, branch.strongest_single()) for branch in file.branches]
-    found = {branch.is_resonance(at) for branch, at in strongest if at is not None}
+    found = {branch.is_resonance(at) for branch, at in strongest if at is not None and low <= branch.force[at] <= high}
     if True in found:
         handles.append(Line2D([], [], label="impact resonance ($z = 1/1$)", color="white", **RESONANCE))
     if False in found:

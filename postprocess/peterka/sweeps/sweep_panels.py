@@ -151,8 +151,8 @@ def direction_handles(file: SweepFile, values: Callable[[Branch], Reals]) -> lis
 
 
 def draw_branch(ax: Axes, file: SweepFile, branch: Branch, values: Reals) -> None:
-    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, and single marks elsewhere and
-    where no neighbour has a value."""
+    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, a dash where no neighbour
+    belongs to it, and a point of each motion without a period."""
     look = LOOKS[branch.direction]
     along, y = line_through(file, np.where(branch.has_period, values, np.nan))
     cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
@@ -162,7 +162,9 @@ def draw_branch(ax: Axes, file: SweepFile, branch: Branch, values: Reals) -> Non
     joined = known[:-1] & known[1:]
     joined[cuts[(cuts > 0) & (cuts < len(known))] - 1] = False
     alone = known & ~np.append(joined, False) & ~np.insert(joined, 0, False) if len(known) > 1 else np.zeros_like(known)
-    apart = alone | (~branch.has_period & np.isfinite(values))
+    ax.plot(file.values[alone], values[alone], color=look.colour, marker="_", markersize=3, markeredgewidth=look.linewidth,
+            linestyle="none", zorder=look.zorder)
+    apart = ~branch.has_period & np.isfinite(values)
     ax.plot(file.values[apart], values[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
             linestyle="none", zorder=look.zorder - 0.5)
 
