@@ -34,7 +34,8 @@ void GapCrossings::look_between(const OrbitPoint& here, const OrbitPoint& there)
         const auto found = arrives ? motion_at(gap, there) : crossing(here, there, gap);
         if (!found) continue;
         const CurvePoint at = curve_point(stepper_.rig(), *found, kind_);
-        found_.push_back({at.place, at.multiplier, at.peak_force, found->orbit});
+        const PlanePoint exactly = moved(at.place, window_.gap_axis, gap - gap_of(*found));
+        found_.push_back({exactly, at.multiplier, at.peak_force, found->orbit});
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 #include "curves/asked_gaps.hpp"
@@ -87,18 +88,6 @@ class CurveSearch {
         return seeds;
     }
 
-    [[nodiscard]] bool has_curve_near(const Edge& edge) const {
-        const PlanePoint a = map_.place(edge.from);
-        const PlanePoint b = map_.place(edge.to);
-        const PlanePoint middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
-        const Site& site = map_.sites(edge.from)[edge.site];
-        return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
-            const std::int64_t other = curve.impacts - site.impacts;
-            return curve.period == site.period && std::abs(other) <= 1 &&
-                   nearest_on(curve, middle, cell_).distance <= 1;
-        });
-    }
-
     // 1 if the orbit reached the neighbour, else 0; then the seed, if any.
     [[nodiscard]] Numbers follow_edge(const Edge& edge) const {
         Numbers numbers{0};
@@ -112,12 +101,9 @@ class CurveSearch {
 
     void follow_all(const std::vector<Edge>& edges) {
         watcher_.begins({"follow", "edges", std::ssize(edges)});
-        for (std::size_t next = 0; next < edges.size();) {
-            const std::size_t first = next;
-            std::vector<Edge> batch;
-            for (; next < edges.size() && batch.size() < followed_at_once; ++next) {
-                if (!has_curve_near(edges[next])) batch.push_back(edges[next]);
-            }
+        for (std::size_t first = 0; first < edges.size(); first += followed_at_once) {
+            const auto batch =
+                std::span(edges).subspan(first, std::min(followed_at_once, edges.size() - first));
             const auto results = deal_(
                 std::ssize(batch),
                 [&](std::int64_t task) { return follow_edge(batch[static_cast<std::size_t>(task)]); }, untold);
@@ -130,9 +116,8 @@ class CurveSearch {
                 ++edge;
                 if (!reader.done()) seeds.push_back(unpack_seed(reader));
             }
-            found_.followed += std::ssize(batch);
             trace_all(std::move(seeds));
-            watcher_.advances(static_cast<std::int64_t>(next - first));
+            watcher_.advances(std::ssize(batch));
         }
         std::ranges::sort(reached_);
     }
@@ -224,12 +209,28 @@ class CurveSearch {
         }
     }
 
-    [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
+    // A curve on which this motion may end: its own, or of one with an impact more or less; that of no impact
+    // only where one side has none.
+    [[nodiscard]] static bool may_end_on(const Curve& curve, const Site& site, const Site& other) {
+        if (curve.period != site.period || std::abs(curve.impacts - site.impacts) > 1) return false;
+        const auto is_free = [](const Site& at) { return at.regime == regime::Regime::no_impact; };
+        return curve.impacts > 0 || is_free(site) || is_free(other);
+    }
+
+    [[nodiscard]] PlanePoint middle_of(const Edge& edge) const {
         const PlanePoint a = map_.place(edge.from);
         const PlanePoint b = map_.place(edge.to);
-        const PlanePoint middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
-        return std::ranges::any_of(
-            found_.curves, [&](const Curve& curve) { return nearest_on(curve, middle, cell_).distance <= 1; });
+        return {(a.column + b.column) / 2, (a.row + b.row) / 2};
+    }
+
+    // Of a curve on which the motion of either side may end.
+    [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
+        const Site& a = map_.site(edge.from);
+        const Site& b = map_.site(edge.to);
+        return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
+            return (may_end_on(curve, a, b) || may_end_on(curve, b, a)) &&
+                   nearest_on(curve, middle_of(edge), cell_).distance <= 1;
+        });
     }
 
     void trace_branches() {

@@ -38,7 +38,7 @@ struct Watcher {
 // Edges of the coarse map; one that is neither on_curve nor basin is unexplained.
 struct EdgeCount {
     std::int64_t edges = 0;     // between periodic cells up to the period, or one and no impact
-    std::int64_t on_curve = 0;  // a curve lies within one cell
+    std::int64_t on_curve = 0;  // a curve on which the motion of one side may end lies within one cell
     std::int64_t basin = 0;     // the orbit of one side exists on the other, too: the start decides
     [[nodiscard]] std::int64_t unexplained() const { return edges - on_curve - basin; }
 };
@@ -53,7 +53,6 @@ struct CurveSearchResult {
     std::vector<UnstableBranch> branches;  // sorted by gap, period, impacts and frequency
     EdgeCount edges;
     std::int64_t periodic_cells = 0;  // of the coarse map, up to the period
-    std::int64_t followed = 0;        // edges across which an orbit was followed
     double proof_seconds = 0;         // taken by the proofs of all crossings
 };
 

@@ -17,8 +17,9 @@ namespace {
 
 constexpr double least_patience = 64;  // cycles away from home before it is asked whether it returns
 constexpr double most_patience = 2000;
-constexpr double times_to_relax = 3;  // that it is away before, if that is longer
-constexpr double strong = 0.25;  // with a smaller radius of home it is asked at once: it may be home by chance
+constexpr double times_to_relax = 3;      // that it is away before, if that is longer
+constexpr double most_of_life = 1.0 / 3;  // that this may be, of a mean life;
+constexpr double part_of_life = 1.0 / 4;  // else it is this
 constexpr std::int64_t enough_lives = 100;
 constexpr std::int64_t trials_for_levels = 256;
 constexpr std::int64_t reach_next = trials_for_levels / 4;  // that should get from a level to the next
@@ -47,8 +48,7 @@ constexpr double not_looked = -1;  // as a distance
 
 enum class Now { home, away, left, failed };
 
-std::int64_t patience_of(const Home& home) {
-    if (home.radius() < strong) return 1;
+std::int64_t longest_patience(const Home& home) {
     return static_cast<std::int64_t>(
         std::clamp(times_to_relax * home.to_relax(), least_patience, most_patience));
 }
@@ -59,7 +59,7 @@ class Walk {
         : map_(map),
           home_(home),
           random_(seed),
-          patience_(patience_of(home)),
+          patience_(longest_patience(home)),
           quiet_before_(map.quiet_cycles()) {}
 
     [[nodiscard]] Walker begin() const { return {.motion = {home_.first_point()}, .ask = patience_}; }
@@ -68,6 +68,14 @@ class Walk {
         return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
     }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
+    // Asks earlier from now on if lives are as short as these; false if it need not.
+    bool shorten_patience(std::int64_t cycles, std::int64_t lives) {
+        if (lives < std::ssize(most_of_few) || patience_ == 1) return false;
+        const double mean = static_cast<double>(cycles) / static_cast<double>(lives);
+        if (static_cast<double>(patience_) <= most_of_life * mean) return false;
+        patience_ = std::max<std::int64_t>(1, std::llround(part_of_life * mean));
+        return true;
+    }
 
     // How far from home it would be at the next phase 0 without more disturbances, if it is worth
     // looking; NaN where the engine fails.
@@ -169,6 +177,15 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
         away.clear();
     }
     return followed;
+}
+
+// So many lives as tell the mean, once motions are asked early enough for lives as short as these.
+Followed follow_first(Walk& walk, Walker& walker, std::int64_t budget) {
+    for (;;) {
+        Followed followed = follow(walk, walker, budget, enough_lives);
+        if (!walk.shorten_patience(followed.cycles, followed.lives)) return followed;
+        walker = walk.begin();
+    }
 }
 
 // Lives end at random, so that their number is as uncertain as its square root; one or two tell a bound alone.
@@ -314,7 +331,13 @@ std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home, 
                                            std::uint64_t seed) {
     Walk walk(map, home, seed);
     Walker walker = walk.begin();
-    const Followed followed = follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max());
+    Followed followed = follow_first(walk, walker, budget);
+    if (followed.lives == enough_lives) {
+        const std::int64_t left = budget - followed.cycles;
+        const Followed others = follow(walk, walker, left, std::numeric_limits<std::int64_t>::max());
+        followed.count(others);
+        followed.failed += others.failed;
+    }
     if (!followed.is_sound()) return std::nullopt;
     return life_of(followed);
 }
@@ -324,7 +347,7 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     if (home.radius() < too_strong) return std::nullopt;
     Walk walk(map, home, seed);
     Walker walker = walk.begin();
-    const Followed first = follow(walk, walker, budget / 4, enough_lives);
+    const Followed first = follow_first(walk, walker, budget / 4);
     Followed all = first;
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first);

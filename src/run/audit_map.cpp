@@ -41,6 +41,14 @@ double strength_of(const StoredCell& cell, const StoredCell& neighbour) {
     return regime::same_label(cell, neighbour) ? force : force * 1e-200;
 }
 
+// Along the columns, or along the rows of a map with one column; the cell itself if there is no other.
+parallel::CellIndex neighbour_of(const parallel::CellIndex& cell, const scene::Scene& scene) {
+    const auto beside = [](std::int64_t n) { return n > 0 ? n - 1 : n + 1; };
+    if (scene.columns() > 1) return {cell.row, beside(cell.column)};
+    if (scene.rows() > 1) return {beside(cell.row), cell.column};
+    return cell;
+}
+
 // Every second sample is the weakest of several drawn from its stretch: purely random sampling would hardly
 // ever hit a kind of cell as rare as one in two hundred.
 std::int64_t sampled_cell(const scene::Scene& scene, std::int64_t index, std::int64_t samples,
@@ -52,8 +60,9 @@ std::int64_t sampled_cell(const scene::Scene& scene, std::int64_t index, std::in
         const std::int64_t cell = audited_cell(index, samples, scene.job().cells(), draw);
         const std::int64_t row = cell / scene.columns();
         const std::int64_t column = cell % scene.columns();
-        const std::int64_t beside = column > 0 ? column - 1 : column + 1;
-        const double strength = strength_of(file.read_cell(row, column), file.read_cell(row, beside));
+        const parallel::CellIndex beside = neighbour_of({row, column}, scene);
+        const double strength =
+            strength_of(file.read_cell(row, column), file.read_cell(beside.row, beside.column));
         if (!(strength < least)) continue;
         least = strength;
         weakest = cell;

@@ -38,6 +38,15 @@ def test_the_independent_engine_agrees(audited_map):
         assert "Audit: 40 cells" in summary
 
 
+@pytest.mark.parametrize("columns, rows", [(1, 7), (7, 1), (1, 1)])
+def test_a_single_column_or_row_is_audited(tmp_path, columns, rows):
+    jobs.write(tmp_path, jobs.small_map(columns, rows) + "[audit]\ncells = 5\n")
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "job.h5") as file:
+        assert np.all(np.isin(file["audit/agrees"][()], [0, 1])) and len(file["audit/cell"]) == min(5, columns * rows)
+
+
 def test_labels_that_rounding_decides_are_told(tmp_path):
     job = (jobs.RIG.format(kind="map", title="windows in chaos") + jobs.axis("frequency_ratio", 2.2, 2.4, 6)
            + jobs.axis("gap_ratio", 1.0, 1.2, 6) + "[audit]\ncells = 36\n")

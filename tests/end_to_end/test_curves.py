@@ -117,6 +117,35 @@ def test_borders_at_given_gaps_are_told_to_nine_digits(tmp_path):
     assert "Borders at gap/A0 1.5 (1.335 mm)" in finished.stdout
 
 
+# Proved in interval arithmetic by [certificate]. Their motions live beside curves of others with an impact or a cycle more.
+@pytest.mark.parametrize("gap, kind, impacts, period, frequency", [
+    (0.0, FOLD, 6, 1, 0.878963298178), (0.0, FOLD, 3, 2, 2.956129917428), (0.0, DOUBLING, 3, 2, 2.957465795191),
+    (3.3707865168539326, FOLD, 3, 3, 3.541627681857), (3.3707865168539326, FOLD, 2, 4, 0.883978588944)])
+def test_borders_beside_another_curve_are_found(fine, gap, kind, impacts, period, frequency):
+    curve, frequencies, gaps = fine
+    assert np.any((curve == (kind, impacts, period)).all(axis=1) & (gaps == gap) & (np.abs(frequencies - frequency) < 1e-9))
+
+
+@pytest.fixture(scope="module")
+def fine(tmp_path_factory):
+    job = jobs.small_curves(points=128) + "\n[curves]\ngap_ratio = [0.0, 3.3707865168539326]\n"
+    path, _ = compute(tmp_path_factory.mktemp("fine"), job)
+    with h5py.File(path) as file:
+        of = file["crossing_curve"][()]
+        curve = np.column_stack([file[f"curve_{name}"][()][of] for name in ("kind", "impacts", "period")])
+        return curve, file["crossing_frequency_ratio"][()], file["crossing_gap_ratio"][()]
+
+
+@pytest.mark.parametrize("columns, rows", [(12, 2), (33, 3), (5, 3)])
+def test_few_cells_find_the_curve_that_ends_the_motion_between_them(tmp_path, columns, rows):
+    job = (jobs.RIG.format(kind="curves", title="few") + jobs.axis("frequency_ratio", 1.5, 4, columns)
+           + jobs.axis("gap_ratio", 0, 3, rows) + "\n[curves]\nmax_period = 1\ngap_ratio = [0.0]\n")
+    path, finished = compute(tmp_path, job)
+    with h5py.File(path) as file:
+        assert np.any(np.abs(file["crossing_frequency_ratio"][()] - BORDERS[1][2]) < 1e-8)
+    assert "  1/1        11.9671289 period doubling" in finished.stdout
+
+
 # With springs of 150 mm a curve passes points at which an additional brief contact appears or disappears.
 @pytest.mark.parametrize("springs", [(), ("--set", "hammer.natural_frequency_hz=5.25", "--set", "hammer.damping_ns_per_m=0.08")])
 def test_each_end_of_a_curve_has_a_reason(tmp_path, springs):

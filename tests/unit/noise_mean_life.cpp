@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "noise_cases.hpp"
+#include "rigid_rig.hpp"
+#include "support/random_numbers.hpp"
 
 namespace peterka::noise {
 namespace {
@@ -92,6 +96,55 @@ TEST(DisturbedLife, DisturbancesFarBeyondItAtOnce) {
     const Lives lives = lives_of(testing::one_in_three(), white(30), 100'000, 10'000);
     expect_alike(lives);
     EXPECT_LT(lives.split->mean, 3);
+}
+
+// Without impacts beside a rigid stop: the basin has fingers near the orbit.
+testing::Settled free_beside_rigid_stop() {
+    const double frequency = 2.3;
+    const auto oscillator = peterka::testing::rigid(0.9, frequency, 1.6, 0.01);
+    const double stiff = 1 - frequency * frequency;
+    const double damped = 2 * oscillator.damping_ratio * frequency;
+    const double size = frequency * frequency / (stiff * stiff + damped * damped);
+    return {oscillator, {-size * damped - oscillator.gap, size * stiff * frequency}, 1};
+}
+
+// The mean of how many cycles pass until it would first not return, with its standard error.
+MeanLife first_exit(DisturbedMap& map, const Home& home, int exits, std::uint64_t seed) {
+    RandomNumbers random(seed);
+    std::int64_t cycles = 0;
+    for (int n = 0; n < exits; ++n) {
+        DisturbedState motion{home.first_point()};
+        for (bool returns = true; returns; ++cycles) {
+            do {
+                if (!map.advance(motion, random)) return {};
+            } while (!motion.at_phase_0());
+            returns = home.distance(motion.state) <= home.radius() ||
+                      home.takes_back(map, motion.state).value_or(false);
+        }
+    }
+    const double mean = static_cast<double>(cycles - exits) / exits;  // the last one is not lived
+    return {.mean = mean, .error = mean / std::sqrt(exits)};
+}
+
+// A motion that noise brings back by chance is not at home: waited for it, lives would grow with the noise.
+TEST(DisturbedLife, StrongerDisturbancesEndItSooner) {
+    const testing::Settled motion = free_beside_rigid_stop();
+    double before = std::numeric_limits<double>::infinity();
+    for (const double speed : {0.063, 0.106, 0.137, 0.148, 0.159, 0.169, 0.211}) {
+        DisturbedMap map(motion.oscillator, {}, white(speed));
+        const auto home = Home::of(map, motion.point, 1);
+        ASSERT_TRUE(home);
+        const auto life = mean_life(map, *home, 20'000, 1);
+        ASSERT_TRUE(life && std::isfinite(life->mean)) << speed;
+        EXPECT_LT(life->mean, 1.3 * before) << speed;
+        if (std::isfinite(before)) {
+            EXPECT_GT(life->mean, 0.2 * before) << speed;
+        }
+        const MeanLife exit = first_exit(map, *home, 200, 2);
+        EXPECT_GT(life->mean, exit.mean - 4 * std::hypot(life->error, exit.error)) << speed;
+        EXPECT_LT(life->mean, 1.7 * exit.mean + 4 * life->error) << speed;
+        before = life->mean;
+    }
 }
 
 TEST(DisturbedLife, NothingIsToldWhereNoiseReachesEverywhere) {

@@ -51,7 +51,7 @@ def _draw(ax: Axes, frequency: Reals, amplitude: Reals, colour: str, label: str,
     shown = (frequency > 0) & (amplitude > 0)
     x, y = frequency[shown], amplitude[shown]
     floor = max(LEAST * y.max(), y.min() / 2)
-    ax.plot(x, np.maximum(y, floor), color=colour, linewidth=0.8, marker="." if len(x) < FEW_LINES else "", markersize=2.5)
+    ax.plot(x, y, color=colour, linewidth=0.8, marker="." if len(x) < FEW_LINES else "", markersize=2.5)
     axes.log_scale(ax, "x", "y")
     ax.set_ylim(floor, 3 * y.max())
     ax.set_ylabel(label)
