@@ -154,6 +154,7 @@ bool Home::takes_back_from(DisturbedMap& map, double distance) const {
     constexpr int directions = 8;
     constexpr std::size_t most_points = 8;
     const std::size_t apart = (points_.size() + most_points - 1) / most_points;
+    std::vector<State> elsewhere;
     for (std::size_t i = 0; i < points_.size(); i += apart) {
         const Point& point = points_[i];
         const Matrix root = with_errors(point.covariance, point.state).llt().matrixL();
@@ -161,7 +162,8 @@ bool Home::takes_back_from(DisturbedMap& map, double distance) const {
             const double angle = 2 * std::numbers::pi * n / directions;
             State state = point.state + distance * root * State(std::cos(angle), std::sin(angle));
             if (map.has_rigid_stop()) state[0] = std::min(state[0], 0.0);
-            if (!takes_back(map, state).value_or(false)) return false;
+            const auto very_near = [&](const State& at) { return is_very_near(at); };
+            if (!comes(map, state, elsewhere, very_near).value_or(false)) return false;
         }
     }
     return true;
@@ -186,23 +188,41 @@ bool Home::is_very_near(const State& state) const {
     return off < is_there || (off < converges && distance(state) < of_radius * radius_);
 }
 
-std::optional<bool> Home::takes_back(DisturbedMap& map, State state) const {
+// Whether a motion without disturbances comes to where `is_there`.
+template <class IsThere>
+std::optional<bool> Home::comes(DisturbedMap& map, State state, std::vector<State>& elsewhere,
+                                IsThere&& is_there) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
     constexpr std::size_t periods = 16;  // up to which another motion is known by its return
+    constexpr std::size_t most_known = 64;
+    constexpr double attracted = 1e-5;                                     // relative
     const double same = std::min(1e-9, 1e-3 * spread_) / (1 + to_relax_);  // no slow approach is taken for one
     const auto most = static_cast<std::size_t>(std::max(longest, times_to_relax * to_relax_));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {
-        if (is_very_near(state)) return true;
+        if (is_there(state)) return true;
+        const auto is_near = [&](const State& point) {
+            return (state - point).norm() < attracted * (1 + point.norm());
+        };
+        if (std::ranges::any_of(elsewhere, is_near)) return false;
         const auto returns = [&](const State& before) { return (state - before).norm() < same; };
-        if (n >= periods && std::ranges::any_of(last, returns)) return false;
+        if (n >= periods && std::ranges::any_of(last, returns)) {
+            if (elsewhere.size() + periods <= most_known)
+                elsewhere.insert(elsewhere.end(), last.begin(), last.end());
+            return false;
+        }
         last[n % periods] = state;
         const auto next = map.at_next_phase_0({state});
         if (!next) return std::nullopt;
         state = *next;
     }
     return false;
+}
+
+std::optional<bool> Home::takes_back(DisturbedMap& map, const State& state,
+                                     std::vector<State>& elsewhere) const {
+    return comes(map, state, elsewhere, [&](const State& at) { return distance(at) <= radius_; });
 }
 
 }  // namespace peterka::noise

@@ -35,9 +35,11 @@ class Home {
         return points_[static_cast<std::size_t>(n)].covariance;
     }
 
-    // Whether the motion from a state at phase 0 returns if it is not disturbed; nothing where the engine can't
-    // follow it.
-    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state) const;
+    // Whether the motion from a state at phase 0 returns to where it is at home if it is not disturbed; nothing
+    // where the engine can't follow it. elsewhere: points of other settled motions, to which those found are
+    // added.
+    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, const scene::State<double>& state,
+                                                 std::vector<scene::State<double>>& elsewhere) const;
 
   private:
     struct Point {
@@ -48,6 +50,10 @@ class Home {
     [[nodiscard]] double find_radius(DisturbedMap& map);
     [[nodiscard]] bool takes_back_from(DisturbedMap& map, double distance) const;
     [[nodiscard]] bool is_very_near(const scene::State<double>& state) const;
+    template <class IsThere>
+    [[nodiscard]] std::optional<bool> comes(DisturbedMap& map, scene::State<double> state,
+                                            std::vector<scene::State<double>>& elsewhere,
+                                            IsThere&& is_there) const;
 
     std::vector<Point> points_;
     double to_relax_ = 0;

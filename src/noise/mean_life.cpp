@@ -17,9 +17,11 @@ namespace {
 
 constexpr double least_patience = 64;  // cycles away from home before it is asked whether it returns
 constexpr double most_patience = 2000;
-constexpr double times_to_relax = 3;      // that it is away before, if that is longer
-constexpr double most_of_life = 1.0 / 3;  // that this may be, of a mean life;
-constexpr double part_of_life = 1.0 / 4;  // else it is this
+constexpr double times_to_relax = 3;    // that it is away before, if that is longer
+constexpr double of_first_exit = 0.25;  // at most, of the mean time until it would first not return
+constexpr std::int64_t first_exits = 25;
+constexpr std::int64_t budget_of_exits = 32;  // a part of the budget, to be followed for
+constexpr std::int64_t asking_of_exits = 2;   // times the budget, that may go into asking
 constexpr std::int64_t enough_lives = 100;
 constexpr std::int64_t trials_for_levels = 256;
 constexpr std::int64_t reach_next = trials_for_levels / 4;  // that should get from a level to the next
@@ -56,11 +58,7 @@ std::int64_t longest_patience(const Home& home) {
 class Walk {
   public:
     Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
-        : map_(map),
-          home_(home),
-          random_(seed),
-          patience_(longest_patience(home)),
-          quiet_before_(map.quiet_cycles()) {}
+        : map_(map), home_(home), random_(seed), quiet_before_(map.quiet_cycles()) {}
 
     [[nodiscard]] Walker begin() const { return {.motion = {home_.first_point()}, .ask = patience_}; }
     // Computed so far, in disturbed cycles.
@@ -68,14 +66,8 @@ class Walk {
         return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
     }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
-    // Asks earlier from now on if lives are as short as these; false if it need not.
-    bool shorten_patience(std::int64_t cycles, std::int64_t lives) {
-        if (lives < std::ssize(most_of_few) || patience_ == 1) return false;
-        const double mean = static_cast<double>(cycles) / static_cast<double>(lives);
-        if (static_cast<double>(patience_) <= most_of_life * mean) return false;
-        patience_ = std::max<std::int64_t>(1, std::llround(part_of_life * mean));
-        return true;
-    }
+    // Cycles away from home before it is asked whether it returns.
+    void set_patience(std::int64_t cycles) { patience_ = cycles; }
 
     // How far from home it would be at the next phase 0 without more disturbances, if it is worth
     // looking; NaN where the engine fails.
@@ -98,7 +90,7 @@ class Walk {
             return Now::home;
         }
         if (++walker.away < walker.ask) return Now::away;
-        const auto returns = home_.takes_back(map_, walker.motion.state);
+        const auto returns = home_.takes_back(map_, walker.motion.state, elsewhere_);
         if (!returns) return Now::failed;
         if (!*returns) {
             walker.left = true;
@@ -115,7 +107,7 @@ class Walk {
     // those from which it would have returned: by bisection, as if it left once.
     [[nodiscard]] std::int64_t returning(std::span<const scene::State<double>> away) {
         const auto returns = [&](const scene::State<double>& state) {
-            return home_.takes_back(map_, state).value_or(false);
+            return home_.takes_back(map_, state, elsewhere_).value_or(false);
         };
         const auto before = away.first(away.size() - 1);
         return std::ranges::partition_point(before, returns) - before.begin();
@@ -132,9 +124,10 @@ class Walk {
     DisturbedMap& map_;
     const Home& home_;
     RandomNumbers random_;
-    std::int64_t patience_;
+    std::int64_t patience_ = 1;
     std::int64_t quiet_before_;
     std::int64_t changes_ = 0;
+    std::vector<scene::State<double>> elsewhere_;
 };
 
 // Motions that are followed until they leave, one after the other.
@@ -153,10 +146,11 @@ struct Followed {
 
 // walker: the motion that is followed first, and the one that was followed last. Ends after so many disturbed
 // cycles: a rule by all that is computed would end just where lives do, since then most is asked.
-Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t most_lives) {
+Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t most_lives,
+                std::int64_t most_asked) {
     Followed followed;
     std::vector<scene::State<double>> away;
-    const std::int64_t end = walk.cycles() + asking * budget;
+    const std::int64_t end = walk.cycles() + most_asked;
     for (std::int64_t n = 0; n < budget && walk.cycles() < end && followed.lives < most_lives; ++n) {
         const Now now = walk.cycle(walker);
         ++followed.cycles;
@@ -179,13 +173,17 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
     return followed;
 }
 
-// So many lives as tell the mean, once motions are asked early enough for lives as short as these.
-Followed follow_first(Walk& walk, Walker& walker, std::int64_t budget) {
-    for (;;) {
-        Followed followed = follow(walk, walker, budget, enough_lives);
-        if (!walk.shorten_patience(followed.cycles, followed.lives)) return followed;
-        walker = walk.begin();
+// Sets the walk's patience by how soon a motion would first not return.
+void find_patience(Walk& walk, const Home& home, std::int64_t budget) {
+    Walker walker = walk.begin();
+    const Followed exits =
+        follow(walk, walker, budget / budget_of_exits, first_exits, asking_of_exits * budget);
+    auto patience = longest_patience(home);
+    if (exits.lives >= std::ssize(most_of_few)) {
+        const double mean = static_cast<double>(exits.cycles) / static_cast<double>(exits.lives);
+        patience = std::clamp<std::int64_t>(std::llround(of_first_exit * mean), 1, patience);
     }
+    walk.set_patience(patience);
 }
 
 // Lives end at random, so that their number is as uncertain as its square root; one or two tell a bound alone.
@@ -286,7 +284,8 @@ std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double
 std::optional<double> rate_of(Walk& walk, Walker& walker, const Levels& levels, std::int64_t budget,
                               std::int64_t trials, Followed& all) {
     const std::int64_t end = walk.cycles() + asking * budget;
-    const Followed base = follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max());
+    const Followed base =
+        follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max(), asking * budget);
     if (!base.is_sound()) return std::nullopt;
     all.count(base);
     if (base.departures == 0) return 0;
@@ -330,14 +329,10 @@ std::optional<MeanLife> life_of(const std::vector<double>& rates) {
 std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home, std::int64_t budget,
                                            std::uint64_t seed) {
     Walk walk(map, home, seed);
+    find_patience(walk, home, budget);
     Walker walker = walk.begin();
-    Followed followed = follow_first(walk, walker, budget);
-    if (followed.lives == enough_lives) {
-        const std::int64_t left = budget - followed.cycles;
-        const Followed others = follow(walk, walker, left, std::numeric_limits<std::int64_t>::max());
-        followed.count(others);
-        followed.failed += others.failed;
-    }
+    const Followed followed =
+        follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max(), asking * budget);
     if (!followed.is_sound()) return std::nullopt;
     return life_of(followed);
 }
@@ -346,8 +341,10 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
                                   std::uint64_t seed) {
     if (home.radius() < too_strong) return std::nullopt;
     Walk walk(map, home, seed);
+    find_patience(walk, home, budget);
+    const std::int64_t before = walk.cycles();
     Walker walker = walk.begin();
-    const Followed first = follow_first(walk, walker, budget / 4);
+    const Followed first = follow(walk, walker, budget / 4, enough_lives, asking * budget / 4);
     Followed all = first;
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first);
@@ -362,7 +359,7 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
         return life;
     };
     if (!levels->leads_away) return without_splitting();
-    const std::int64_t each = std::max(budget - walk.cycles(), budget / 4) / (2 * estimates);
+    const std::int64_t each = std::max(budget - (walk.cycles() - before), budget / 4) / (2 * estimates);
     double of_trials = 0;
     for (const double cycles : levels->trial_cycles) of_trials += cycles;
     const auto trials = std::clamp(static_cast<std::int64_t>(static_cast<double>(each) / of_trials),

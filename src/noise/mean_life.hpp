@@ -4,10 +4,10 @@
 // (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, at
 // most 2000, and would not return within 500 cycles, or twenty times its relaxation time, without disturbances.
 // Its mean life is the mean time until then, counted up to when, since it was last home or seen to return, it
-// would no longer have returned; excursions from which disturbances brought it home don't count. Where lives
-// are less than three times as long as it would have to be away, it has left after a quarter of its mean life
-// already, or as soon as it would not return: strong disturbances bring it back by chance, from anywhere, and
-// the longer this is waited for, the more often.
+// would no longer have returned; excursions from which disturbances brought it home don't count. Strong
+// disturbances bring it back by chance, and the longer this is waited for, the more often: so it must be away
+// for at most a quarter of the mean time until it would first not return (the first exit from its basin at
+// phase 0, of which a few are followed before), or for no longer than a cycle.
 //
 // Where it leaves often, many lives are followed. Where it leaves rarely, forward flux sampling (Allen, Warren
 // & ten Wolde 2005, Phys. Rev. Lett. 94, 018104; a splitting method after Kahn & Harris 1951) multiplies the

@@ -137,15 +137,19 @@ TEST(Home, TakesBackWhatIsNearAndNothingFromAnotherMotion) {
     DisturbedMap map(motion.oscillator, {}, white(1e-2));
     const auto home = Home::of(map, motion.point, 3);
     ASSERT_TRUE(home);
-    EXPECT_TRUE(home->takes_back(map, motion.point + State(0.03, 0)).value());
+    std::vector<State> elsewhere;
+    EXPECT_TRUE(home->takes_back(map, motion.point + State(0.03, 0), elsewhere).value());
     const testing::Settled swing = testing::free_motion(1.5, 3);
     const testing::Settled strikes = testing::settled(swing.oscillator, -5, -1.4);
     ASSERT_GT((strikes.point - swing.point).norm(), 1);
     DisturbedMap both(swing.oscillator, {}, white(1e-3));
     const auto free = Home::of(both, swing.point, 1);
     ASSERT_TRUE(free);
-    EXPECT_FALSE(free->takes_back(both, strikes.point).value());
-    EXPECT_TRUE(free->takes_back(both, swing.point).value());
+    elsewhere.clear();
+    EXPECT_FALSE(free->takes_back(both, strikes.point, elsewhere).value());
+    EXPECT_TRUE(free->takes_back(both, swing.point, elsewhere).value());
+    EXPECT_FALSE(elsewhere.empty());
+    EXPECT_FALSE(free->takes_back(both, strikes.point, elsewhere).value());
 }
 
 }  // namespace

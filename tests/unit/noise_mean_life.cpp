@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "noise_cases.hpp"
 #include "rigid_rig.hpp"
@@ -112,6 +113,7 @@ testing::Settled free_beside_rigid_stop() {
 MeanLife first_exit(DisturbedMap& map, const Home& home, int exits, std::uint64_t seed) {
     RandomNumbers random(seed);
     std::int64_t cycles = 0;
+    std::vector<scene::State<double>> elsewhere;
     for (int n = 0; n < exits; ++n) {
         DisturbedState motion{home.first_point()};
         for (bool returns = true; returns; ++cycles) {
@@ -119,7 +121,7 @@ MeanLife first_exit(DisturbedMap& map, const Home& home, int exits, std::uint64_
                 if (!map.advance(motion, random)) return {};
             } while (!motion.at_phase_0());
             returns = home.distance(motion.state) <= home.radius() ||
-                      home.takes_back(map, motion.state).value_or(false);
+                      home.takes_back(map, motion.state, elsewhere).value_or(false);
         }
     }
     const double mean = static_cast<double>(cycles - exits) / exits;  // the last one is not lived
