@@ -21,6 +21,7 @@ from .starts import SEEN, Begin, Impact, alone_problem, begin, impact_legs
 WEAKEST = 0.1  # of the hardest impact: weaker impacts carry little information
 MOST = 20  # impacts that are fitted, evenly selected
 PUSHES = 2.0  # standard deviation of a push over the mean push between impacts
+LARGE = 2.0  # standard deviations: largest push of a stop that is a spring and a dashpot; of random ones 1.4
 SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and standard deviation; ln omega relative to the impacts' rate
 
 
@@ -58,7 +59,23 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
         unused.append(f"{len(used) - len(chosen)} impacts aren't used: {MOST}, evenly out of all, are enough")
     problem = _problem(recording, guess, begun, chosen, mass, given)
     first = start(problem, stop_ratio=begun.stop_ratio, damping_ratio=problem.fixed.get("damping_ratio", SPRINGS["damping_ratio"][0]))
-    return telling(finished(recording, guess, solved(problem, first), chosen, unused))
+    return _by_spring_and_dashpot(telling(finished(recording, guess, solved(problem, first), chosen, unused)))
+
+
+def _by_spring_and_dashpot(fit: Fit) -> Fit:
+    """The Fit, with a doubt where residuals of neighbouring samples in contact are alike or pushes are large, since these take up whatever of
+    the force a spring and a dashpot don't explain; raises PeterkaFileError where they are larger than springs and cart can be."""
+    problem, value = fit.solved.problem, fit.solved.value
+    sizes = np.array([(value[name] - mean) / deviation for name, (mean, deviation) in problem.prior.items() if name not in SPRINGS])
+    largest = float(np.max(np.abs(sizes)))
+    if np.mean(sizes**2) > 1:
+        raise PeterkaFileError(f"{fit.recording.path} doesn't tell the stop: a spring and a dashpot explain its impacts only if springs and cart push, in "
+                               f"impacts, up to {PUSHES * largest:.2g} times as hard as between them. The stop is more than these two, or the sensor rings, "
+                               "saturates or is filtered")
+    if fit.likeness > 0 or largest > LARGE:
+        return replace(fit, doubts=["the forces in its impacts aren't those of a spring and a dashpot alone: the stop is more than these two, or the "
+                                    "sensor rings, saturates or is filtered, and the numbers may be off by more than their errors"])
+    return fit
 
 
 def _problem(recording: Recording, guess: Guess, begun: Begin, chosen: Sequence[Impact], mass: float,

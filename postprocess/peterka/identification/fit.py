@@ -38,7 +38,7 @@ LEAST_RATIO = 0.05  # standard error of a stop's damping ratio that always suffi
 @dataclass(frozen=True)
 class Fit:
     """`found` from a `recording`; `solved` has the motion; `impacts` are those of the recording that were used, `unused`
-    describes the others; `misfit`: root mean square of the residuals in contact over that elsewhere, the maximum over all
+    describes the others; `doubts`: in words, why errors may be larger than told; `misfit`: root mean square of the residuals in contact over that elsewhere, the maximum over all
     signals; `share`: of the hammer's mobility in other modes than its swing, None where it isn't told."""
 
     recording: Recording
@@ -49,6 +49,7 @@ class Fit:
     likeness: float
     impacts: Sequence[Impact]
     unused: Sequence[str] = ()
+    doubts: Sequence[str] = ()
     share: Number | None = None
 
     def error(self, name: str) -> float:
