@@ -25,11 +25,10 @@ Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint
     return nearest;
 }
 
-bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
-             const PlanePoint& window) {
+bool lies_on(const Curve& curve, const CurveLabel& label, const CurvePoint& point, const PlanePoint& window) {
     constexpr double chord = 1e-3;  // largest deviation of a curve from its chords, in shares of the window
     constexpr double alike = 0.03;
-    if (curve.kind != kind || curve.period != period) return false;
+    if (!label_of(curve).may_be(label)) return false;
     const Nearest nearest = nearest_on(curve, point.place, window);
     return nearest.distance < chord &&
            std::abs(nearest.trace - point.trace) < alike * (1 + std::abs(point.trace)) &&
@@ -40,7 +39,7 @@ int points_on(const Curve& curve, const Curve& other, const PlanePoint& window) 
     int on = 0;
     for (std::size_t n = 1; n <= points_of_curve; ++n) {
         const CurvePoint& point = curve.points[n * curve.points.size() / (points_of_curve + 1)];
-        on += lies_on(other, curve.kind, curve.period, point, window) ? 1 : 0;
+        on += lies_on(other, label_of(curve), point, window) ? 1 : 0;
     }
     return on;
 }

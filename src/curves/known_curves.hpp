@@ -15,8 +15,25 @@ struct Nearest {
 };
 [[nodiscard]] Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint& sizes);
 
-// Whether a curve is of this kind and passes through a point with the same orbit.
-[[nodiscard]] bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
+struct CurveLabel {
+    CurveKind kind = CurveKind::fold;
+    std::int64_t impacts = 0;
+    std::int64_t period = 0;
+    // Of a grazing the impacts count with or without it, as either side is stable.
+    [[nodiscard]] bool may_be(const CurveLabel& other) const {
+        return kind == other.kind && period == other.period &&
+               (kind == CurveKind::grazing || impacts == other.impacts);
+    }
+};
+[[nodiscard]] inline CurveLabel label_of(const Seed& seed) {
+    return {seed.kind, seed.point.orbit.impacts(), seed.point.orbit.period};
+}
+[[nodiscard]] inline CurveLabel label_of(const Curve& curve) {
+    return {curve.kind, curve.impacts, curve.period};
+}
+
+// Whether a curve has this label and passes through a point with the same orbit.
+[[nodiscard]] bool lies_on(const Curve& curve, const CurveLabel& label, const CurvePoint& point,
                            const PlanePoint& window);
 
 // How many of five points of a curve, spread over it, lie on another.

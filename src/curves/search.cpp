@@ -125,7 +125,7 @@ class CurveSearch {
     [[nodiscard]] bool is_on_known_curve(const Seed& seed) const {
         const CurvePoint point = curve_point(rig_, seed.point, seed.kind);
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
-            return lies_on(curve, seed.kind, seed.point.orbit.period, point, window_.size());
+            return lies_on(curve, label_of(seed), point, window_.size());
         });
     }
 

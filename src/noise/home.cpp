@@ -151,19 +151,21 @@ double Home::find_radius(DisturbedMap& map) {
 
 // From states at this distance all around some of the points, outside of a rigid stop.
 bool Home::takes_back_from(DisturbedMap& map, double distance) const {
-    constexpr int directions = 8;
+    constexpr std::size_t fewest = 24;  // a basin with fingers is not seen by chance
+    constexpr std::size_t fewest_of_point = 8;
     constexpr std::size_t most_points = 8;
     const std::size_t apart = (points_.size() + most_points - 1) / most_points;
+    const std::size_t directions = std::max(fewest_of_point, fewest / points_.size());
     std::vector<State> elsewhere;
     for (std::size_t i = 0; i < points_.size(); i += apart) {
         const Point& point = points_[i];
         const Matrix root = with_errors(point.covariance, point.state).llt().matrixL();
-        for (int n = 0; n < directions; ++n) {
-            const double angle = 2 * std::numbers::pi * n / directions;
+        for (std::size_t n = 0; n < directions; ++n) {
+            const double angle =
+                2 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(directions);
             State state = point.state + distance * root * State(std::cos(angle), std::sin(angle));
             if (map.has_rigid_stop()) state[0] = std::min(state[0], 0.0);
-            const auto very_near = [&](const State& at) { return is_very_near(at); };
-            if (!comes(map, state, elsewhere, very_near).value_or(false)) return false;
+            if (!takes_back(map, state, elsewhere).value_or(false)) return false;
         }
     }
     return true;
@@ -178,20 +180,7 @@ double Home::distance(const State& state) const {
     return std::sqrt(std::max(least, 0.0));
 }
 
-// As near as disturbances hardly ever leave it, and so near that it converges however strong they are.
-bool Home::is_very_near(const State& state) const {
-    constexpr double of_radius = 0.025;
-    constexpr double converges = 1e-3;  // relative
-    double off = std::numeric_limits<double>::infinity();
-    for (const Point& point : points_)
-        off = std::min(off, (state - point.state).norm() / (1 + point.state.norm()));
-    return off < is_there || (off < converges && distance(state) < of_radius * radius_);
-}
-
-// Whether a motion without disturbances comes to where `is_there`.
-template <class IsThere>
-std::optional<bool> Home::comes(DisturbedMap& map, State state, std::vector<State>& elsewhere,
-                                IsThere&& is_there) const {
+std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector<State>& elsewhere) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
     constexpr std::size_t periods = 16;  // up to which another motion is known by its return
@@ -201,7 +190,7 @@ std::optional<bool> Home::comes(DisturbedMap& map, State state, std::vector<Stat
     const auto most = static_cast<std::size_t>(std::max(longest, times_to_relax * to_relax_));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {
-        if (is_there(state)) return true;
+        if (distance(state) <= radius_) return true;
         const auto is_near = [&](const State& point) {
             return (state - point).norm() < attracted * (1 + point.norm());
         };
@@ -218,11 +207,6 @@ std::optional<bool> Home::comes(DisturbedMap& map, State state, std::vector<Stat
         state = *next;
     }
     return false;
-}
-
-std::optional<bool> Home::takes_back(DisturbedMap& map, const State& state,
-                                     std::vector<State>& elsewhere) const {
-    return comes(map, state, elsewhere, [&](const State& at) { return distance(at) <= radius_; });
 }
 
 }  // namespace peterka::noise

@@ -38,7 +38,7 @@ class Home {
     // Whether the motion from a state at phase 0 returns to where it is at home if it is not disturbed; nothing
     // where the engine can't follow it. elsewhere: points of other settled motions, to which those found are
     // added.
-    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, const scene::State<double>& state,
+    [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state,
                                                  std::vector<scene::State<double>>& elsewhere) const;
 
   private:
@@ -49,11 +49,6 @@ class Home {
     };
     [[nodiscard]] double find_radius(DisturbedMap& map);
     [[nodiscard]] bool takes_back_from(DisturbedMap& map, double distance) const;
-    [[nodiscard]] bool is_very_near(const scene::State<double>& state) const;
-    template <class IsThere>
-    [[nodiscard]] std::optional<bool> comes(DisturbedMap& map, scene::State<double> state,
-                                            std::vector<scene::State<double>>& elsewhere,
-                                            IsThere&& is_there) const;
 
     std::vector<Point> points_;
     double to_relax_ = 0;

@@ -178,11 +178,10 @@ void find_patience(Walk& walk, const Home& home, std::int64_t budget) {
     Walker walker = walk.begin();
     const Followed exits =
         follow(walk, walker, budget / budget_of_exits, first_exits, asking_of_exits * budget);
-    auto patience = longest_patience(home);
-    if (exits.lives >= std::ssize(most_of_few)) {
-        const double mean = static_cast<double>(exits.cycles) / static_cast<double>(exits.lives);
-        patience = std::clamp<std::int64_t>(std::llround(of_first_exit * mean), 1, patience);
-    }
+    // as if the next one came now: few may be seen
+    const double mean = static_cast<double>(exits.cycles) / static_cast<double>(exits.lives + 1);
+    const auto patience =
+        std::clamp<std::int64_t>(std::llround(of_first_exit * mean), 1, longest_patience(home));
     walk.set_patience(patience);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -100,13 +101,12 @@ TEST(DisturbedLife, DisturbancesFarBeyondItAtOnce) {
 }
 
 // Without impacts beside a rigid stop: the basin has fingers near the orbit.
-testing::Settled free_beside_rigid_stop() {
-    const double frequency = 2.3;
-    const auto oscillator = peterka::testing::rigid(0.9, frequency, 1.6, 0.01);
+testing::Settled free_beside_rigid_stop(double frequency, double gap, double zeta) {
+    const auto oscillator = peterka::testing::rigid(0.9, frequency, gap, zeta);
     const double stiff = 1 - frequency * frequency;
-    const double damped = 2 * oscillator.damping_ratio * frequency;
+    const double damped = 2 * zeta * frequency;
     const double size = frequency * frequency / (stiff * stiff + damped * damped);
-    return {oscillator, {-size * damped - oscillator.gap, size * stiff * frequency}, 1};
+    return {oscillator, {-size * damped - gap, size * stiff * frequency}, 1};
 }
 
 // The mean of how many cycles pass until it would first not return, with its standard error.
@@ -130,7 +130,7 @@ MeanLife first_exit(DisturbedMap& map, const Home& home, int exits, std::uint64_
 
 // A motion that noise brings back by chance is not at home: waited for it, lives would grow with the noise.
 TEST(DisturbedLife, StrongerDisturbancesEndItSooner) {
-    const testing::Settled motion = free_beside_rigid_stop();
+    const testing::Settled motion = free_beside_rigid_stop(2.3, 1.6, 0.01);
     double before = std::numeric_limits<double>::infinity();
     for (const double speed : {0.063, 0.106, 0.137, 0.148, 0.159, 0.169, 0.211}) {
         DisturbedMap map(motion.oscillator, {}, white(speed));
@@ -147,6 +147,22 @@ TEST(DisturbedLife, StrongerDisturbancesEndItSooner) {
         EXPECT_LT(life->mean, 1.7 * exit.mean + 4 * life->error) << speed;
         before = life->mean;
     }
+}
+
+// How far home reaches is seen in some directions: between fingers of another basin these may all return by
+// chance.
+TEST(DisturbedLife, RigsThatHardlyDifferHaveLivesThatHardlyDo) {
+    std::vector<double> lives;
+    for (const double more : {0.0, 2e-9, 4e-9, 6e-9, 8e-9, 1e-8, 1.2e-8, 1.4e-8}) {
+        const testing::Settled motion = free_beside_rigid_stop(2.5, 2 + more, 0.0036);
+        DisturbedMap map(motion.oscillator, {}, white(0.5));
+        const auto home = Home::of(map, motion.point, 1);
+        ASSERT_TRUE(home);
+        const auto life = mean_life(map, *home, 20'000, 1);
+        ASSERT_TRUE(life && std::isfinite(life->mean)) << more;
+        lives.push_back(life->mean);
+    }
+    EXPECT_LT(std::ranges::max(lives), 2.5 * std::ranges::min(lives));
 }
 
 TEST(DisturbedLife, NothingIsToldWhereNoiseReachesEverywhere) {
