@@ -19,18 +19,21 @@ Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint
         const double share = length2 > 0 ? std::clamp(-(ax * dx + ay * dy) / length2, 0.0, 1.0) : 0;
         const double distance = std::hypot(ax + share * dx, ay + share * dy);
         if (distance >= nearest.distance) continue;
-        nearest = {distance, a.trace + share * (b.trace - a.trace),
-                   a.total_speed + share * (b.total_speed - a.total_speed)};
+        nearest = {distance,
+                   a.trace + share * (b.trace - a.trace),
+                   a.total_speed + share * (b.total_speed - a.total_speed),
+                   {a.impacts, b.impacts}};
     }
     return nearest;
 }
 
-bool lies_on(const Curve& curve, const CurveLabel& label, const CurvePoint& point, const PlanePoint& window) {
+bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
+             const PlanePoint& window) {
     constexpr double chord = 1e-3;  // largest deviation of a curve from its chords, in shares of the window
     constexpr double alike = 0.03;
-    if (!label_of(curve).may_be(label)) return false;
+    if (curve.kind != kind || curve.period != period) return false;
     const Nearest nearest = nearest_on(curve, point.place, window);
-    return nearest.distance < chord &&
+    return nearest.distance < chord && std::ranges::count(nearest.impacts, point.impacts) > 0 &&
            std::abs(nearest.trace - point.trace) < alike * (1 + std::abs(point.trace)) &&
            std::abs(nearest.total_speed - point.total_speed) < alike * (1e-3 + point.total_speed);
 }
@@ -39,7 +42,7 @@ int points_on(const Curve& curve, const Curve& other, const PlanePoint& window) 
     int on = 0;
     for (std::size_t n = 1; n <= points_of_curve; ++n) {
         const CurvePoint& point = curve.points[n * curve.points.size() / (points_of_curve + 1)];
-        on += lies_on(other, label_of(curve), point, window) ? 1 : 0;
+        on += lies_on(other, curve.kind, curve.period, point, window) ? 1 : 0;
     }
     return on;
 }

@@ -183,7 +183,8 @@ class EdgeTeller {
         const auto orbit = map_.orbit(edge.from, window_);
         if (!orbit) return false;
         const auto seed = follow(rig_, *orbit, to, window_).seed;
-        return seed && lies_on(curve_, label_of(*seed), curve_point(rig_, seed->point, seed->kind), window_);
+        return seed && lies_on(curve_, seed->kind, seed->point.orbit.period,
+                               curve_point(rig_, seed->point, seed->kind), window_);
     }
 
     const Rig& rig_;

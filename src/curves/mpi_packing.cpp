@@ -54,8 +54,9 @@ void pack(const Curve& curve, Numbers& to) {
                          as_number(curve.crossings.size())});
     for (const CurvePoint& point : curve.points) {
         pack(point.place, to);
-        to.insert(to.end(), {point.multiplier, point.peak_force, point.residual, point.at_phase_0[0],
-                             point.at_phase_0[1], point.trace, point.total_speed, as_number(point.edge)});
+        to.insert(to.end(),
+                  {point.multiplier, point.peak_force, point.residual, point.at_phase_0[0], point.at_phase_0[1],
+                   point.trace, point.total_speed, static_cast<double>(point.impacts), as_number(point.edge)});
     }
     for (const Special& special : curve.specials) {
         to.push_back(as_number(special.kind));
@@ -86,6 +87,7 @@ Curve unpack_curve(NumberReader& from) {
         for (double& number : point.at_phase_0) number = from.number();
         point.trace = from.number();
         point.total_speed = from.number();
+        point.impacts = from.integer();
         point.edge = static_cast<LabelEdge>(from.integer());
     }
     for (Special& special : curve.specials) {

@@ -125,7 +125,7 @@ class CurveSearch {
     [[nodiscard]] bool is_on_known_curve(const Seed& seed) const {
         const CurvePoint point = curve_point(rig_, seed.point, seed.kind);
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
-            return lies_on(curve, label_of(seed), point, window_.size());
+            return lies_on(curve, seed.kind, seed.point.orbit.period, point, window_.size());
         });
     }
 
@@ -209,12 +209,15 @@ class CurveSearch {
         }
     }
 
-    // A curve on which this motion may end: its own, or of one with an impact more or less; that of no impact
-    // only where one side has none.
+    // A curve on which this motion may end: its own, one of a motion with an impact more or less, or that of
+    // the motion whose period it doubles; the grazings of no impact only where one side has none.
     [[nodiscard]] static bool may_end_on(const Curve& curve, const Site& site, const Site& other) {
-        if (curve.period != site.period || std::abs(curve.impacts - site.impacts) > 1) return false;
         const auto is_free = [](const Site& at) { return at.regime == regime::Regime::no_impact; };
-        return curve.impacts > 0 || is_free(site) || is_free(other);
+        if (is_free(site)) return curve.impacts == 0;
+        if (curve.kind == CurveKind::period_doubling && 2 * curve.period == site.period)
+            return 2 * curve.impacts == site.impacts;
+        return curve.period == site.period && std::abs(curve.impacts - site.impacts) <= 1 &&
+               (curve.impacts > 0 || is_free(other));
     }
 
     [[nodiscard]] PlanePoint middle_of(const Edge& edge) const {
@@ -227,9 +230,10 @@ class CurveSearch {
     [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
         const Site& a = map_.site(edge.from);
         const Site& b = map_.site(edge.to);
+        const PlanePoint middle = middle_of(edge);
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
             return (may_end_on(curve, a, b) || may_end_on(curve, b, a)) &&
-                   nearest_on(curve, middle_of(edge), cell_).distance <= 1;
+                   nearest_on(curve, middle, cell_).distance <= 1;
         });
     }
 

@@ -244,6 +244,7 @@ class HalfCurve {
 CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind) {
     const Monodromy product = monodromy(rig, point.orbit, point.place, Side::without_impact);
     CurvePoint result;
+    result.impacts = point.orbit.impacts();
     result.place = point.place;
     result.orbit = point.orbit;
     result.multiplier = product.multiplier();

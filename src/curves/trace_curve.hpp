@@ -46,6 +46,7 @@ struct CurvePoint {
     // to distinguish curves
     double trace = 0;        // of the orbit's monodromy matrix
     double total_speed = 0;  // of all impacts
+    std::int64_t impacts = 0;
 };
 
 struct Special {

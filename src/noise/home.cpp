@@ -180,6 +180,13 @@ double Home::distance(const State& state) const {
     return std::sqrt(std::max(least, 0.0));
 }
 
+// As near as an engine's errors allow.
+bool Home::is_at_a_point(const State& state) const {
+    return std::ranges::any_of(points_, [&](const Point& point) {
+        return (state - point.state).norm() < is_there * (1 + point.state.norm());
+    });
+}
+
 std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector<State>& elsewhere) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
@@ -190,7 +197,7 @@ std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector
     const auto most = static_cast<std::size_t>(std::max(longest, times_to_relax * to_relax_));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {
-        if (distance(state) <= radius_) return true;
+        if (distance(state) <= radius_ || is_at_a_point(state)) return true;
         const auto is_near = [&](const State& point) {
             return (state - point).norm() < attracted * (1 + point.norm());
         };

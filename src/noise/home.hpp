@@ -49,6 +49,7 @@ class Home {
     };
     [[nodiscard]] double find_radius(DisturbedMap& map);
     [[nodiscard]] bool takes_back_from(DisturbedMap& map, double distance) const;
+    [[nodiscard]] bool is_at_a_point(const scene::State<double>& state) const;
 
     std::vector<Point> points_;
     double to_relax_ = 0;

@@ -19,7 +19,7 @@ constexpr double least_patience = 64;  // cycles away from home before it is ask
 constexpr double most_patience = 2000;
 constexpr double times_to_relax = 3;    // that it is away before, if that is longer
 constexpr double of_first_exit = 0.25;  // at most, of the mean time until it would first not return
-constexpr std::int64_t first_exits = 25;
+constexpr std::int64_t first_exits = 100;
 constexpr std::int64_t budget_of_exits = 32;  // a part of the budget, to be followed for
 constexpr std::int64_t asking_of_exits = 2;   // times the budget, that may go into asking
 constexpr std::int64_t enough_lives = 100;
@@ -41,8 +41,9 @@ constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 // A disturbed motion.
 struct Walker {
     DisturbedState motion;
-    std::int64_t away = 0;  // cycles since it was home
-    std::int64_t ask;       // cycles away from home after which it is asked whether it returns
+    std::int64_t away = 0;   // cycles since it was home
+    std::int64_t ask;        // cycles away from home after which it is asked whether it returns
+    std::int64_t known = 0;  // as it was home, or seen to return, last
     bool left = false;
 };
 
@@ -50,9 +51,8 @@ constexpr double not_looked = -1;  // as a distance
 
 enum class Now { home, away, left, failed };
 
-std::int64_t longest_patience(const Home& home) {
-    return static_cast<std::int64_t>(
-        std::clamp(times_to_relax * home.to_relax(), least_patience, most_patience));
+double longest_patience(const Home& home) {
+    return std::clamp(times_to_relax * home.to_relax(), least_patience, most_patience);
 }
 
 class Walk {
@@ -60,14 +60,14 @@ class Walk {
     Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
         : map_(map), home_(home), random_(seed), quiet_before_(map.quiet_cycles()) {}
 
-    [[nodiscard]] Walker begin() const { return {.motion = {home_.first_point()}, .ask = patience_}; }
+    [[nodiscard]] Walker begin() { return {.motion = {home_.first_point()}, .ask = patience()}; }
     // Computed so far, in disturbed cycles.
     [[nodiscard]] std::int64_t cycles() const {
         return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
     }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
-    // Cycles away from home before it is asked whether it returns.
-    void set_patience(std::int64_t cycles) { patience_ = cycles; }
+    // Mean number of cycles away from home before it is asked whether it returns.
+    void set_patience(double cycles) { patience_ = cycles; }
 
     // How far from home it would be at the next phase 0 without more disturbances, if it is worth
     // looking; NaN where the engine fails.
@@ -85,8 +85,8 @@ class Walk {
         if (!map_.advance(walker.motion, random_)) return Now::failed;
         if (!walker.motion.at_phase_0()) return walker.away == 0 ? Now::home : Now::away;
         if (home_.distance(walker.motion.state) <= home_.radius()) {
-            walker.away = 0;
-            walker.ask = patience_;
+            walker.away = walker.known = 0;
+            walker.ask = patience();
             return Now::home;
         }
         if (++walker.away < walker.ask) return Now::away;
@@ -96,12 +96,13 @@ class Walk {
             walker.left = true;
             return Now::left;
         }
-        walker.ask += patience_;
+        walker.known = walker.away;
+        walker.ask += patience();
         return Now::away;
     }
     // Whether it is home, or has just been seen to return.
     [[nodiscard]] bool is_known_to_return(const Walker& walker) const {
-        return !walker.left && walker.ask - walker.away == patience_;
+        return !walker.left && walker.known == walker.away;
     }
     // Of the states at phase 0 since it was known to return, of which the last would not return, the number of
     // those from which it would have returned: by bisection, as if it left once.
@@ -121,10 +122,16 @@ class Walk {
     }
 
   private:
+    // One of the two nearest numbers.
+    [[nodiscard]] std::int64_t patience() {
+        const double whole = std::floor(patience_);
+        return static_cast<std::int64_t>(whole) + (random_.uniform() < patience_ - whole ? 1 : 0);
+    }
+
     DisturbedMap& map_;
     const Home& home_;
     RandomNumbers random_;
-    std::int64_t patience_ = 1;
+    double patience_ = 1;
     std::int64_t quiet_before_;
     std::int64_t changes_ = 0;
     std::vector<scene::State<double>> elsewhere_;
@@ -178,11 +185,11 @@ void find_patience(Walk& walk, const Home& home, std::int64_t budget) {
     Walker walker = walk.begin();
     const Followed exits =
         follow(walk, walker, budget / budget_of_exits, first_exits, asking_of_exits * budget);
+    const bool none = exits.lives == 0 && exits.cycles == budget / budget_of_exits;
     // as if the next one came now: few may be seen
     const double mean = static_cast<double>(exits.cycles) / static_cast<double>(exits.lives + 1);
-    const auto patience =
-        std::clamp<std::int64_t>(std::llround(of_first_exit * mean), 1, longest_patience(home));
-    walk.set_patience(patience);
+    const double longest = longest_patience(home);
+    walk.set_patience(none ? longest : std::clamp(of_first_exit * mean, 1.0, longest));
 }
 
 // Lives end at random, so that their number is as uncertain as its square root; one or two tell a bound alone.
@@ -323,6 +330,29 @@ std::optional<MeanLife> life_of(const std::vector<double>& rates) {
     return MeanLife{.mean = 1 / mean, .error = std::sqrt(squares / (count - 1) / count) / (mean * mean)};
 }
 
+// That of so many or fewer events, of which `mean` are expected (Poisson).
+double chance_of_at_most(std::int64_t count, double mean) {
+    double term = std::exp(-mean);
+    double sum = 0;
+    for (std::int64_t n = 0; n <= count; ++n) {
+        sum += term;
+        term *= mean / static_cast<double>(n + 1);
+    }
+    return sum;
+}
+
+// Whether the lives that were seen to end are so many as a mean life within two standard errors lets expect:
+// eight estimates that differ by factors of ten may all miss the ways on which most lives end.
+bool fits(const MeanLife& life, const Followed& seen) {
+    constexpr double unlikely = 0.025;
+    const auto cycles = static_cast<double>(seen.cycles);
+    const double spread = 2 * life.error / life.mean;
+    const double fewest = cycles / life.mean * std::max(1 - spread, 0.0);
+    const double most = cycles / life.mean * (1 + spread);
+    return chance_of_at_most(seen.lives, fewest) > unlikely &&
+           1 - chance_of_at_most(seen.lives - 1, most) > unlikely;
+}
+
 }  // namespace
 
 std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home, std::int64_t budget,
@@ -370,9 +400,10 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
         rates.push_back(*rate);
     }
     const auto life = life_of(rates);
-    if (life && std::isfinite(life->mean)) return life;
+    if (life && std::isfinite(life->mean) && fits(*life, all)) return life;
     MeanLife other = without_splitting();
-    if (life && std::isnan(other.mean)) other.least = std::max(other.least, life->least);
+    if (life && std::isnan(life->mean) && std::isnan(other.mean))
+        other.least = std::max(other.least, life->least);
     return other;
 }
 

@@ -65,7 +65,6 @@ def test_without_starts_each_cell_tells_that_of_its_own_motion(tmp_path):
     least, life, more = cells["mean_life_least_s"], cells["mean_life_s"], many["mean_life_s"]
     both = np.isfinite(life)
     assert both.any() and np.all(np.abs(life - more)[both] < 4 * np.hypot(cells["mean_life_error_s"], many["mean_life_error_s"])[both])
-    assert np.all(least[np.isfinite(more) & ~both] < 2 * more[np.isfinite(more) & ~both])  # of fewer cycles
     none = np.isnan(many["mean_life_s"]) & np.isfinite(least)
     assert none.any() and np.all(least[none] < many["mean_life_least_s"][none])
 

@@ -42,20 +42,18 @@ TEST(KnownCurves, DistanceIsThatOfTheNearestChord) {
 
 TEST(KnownCurves, APointLiesOnACurveOfItsKindPeriodAndOrbit) {
     const PlanePoint window{4, 4};
-    EXPECT_TRUE(lies_on(corner(), {CurveKind::fold, 0, 2}, at(2, 1.001, 1, 15), window));
-    EXPECT_FALSE(lies_on(corner(), {CurveKind::fold, 0, 2}, at(2, 1.02, 1, 15), window));
-    EXPECT_FALSE(lies_on(corner(), {CurveKind::grazing, 0, 2}, at(2, 1, 1, 15), window));
-    EXPECT_FALSE(lies_on(corner(), {CurveKind::fold, 0, 1}, at(2, 1, 1, 15), window));
-    EXPECT_FALSE(lies_on(corner(), {CurveKind::fold, 0, 2}, at(2, 1, 1.2, 15), window));
-    EXPECT_FALSE(lies_on(corner(), {CurveKind::fold, 0, 2}, at(2, 1, 1, 16), window));
-    EXPECT_FALSE(lies_on(corner(), {CurveKind::fold, 1, 2}, at(2, 1.001, 1, 15), window));
-}
-
-// Of a grazing curve the impacts may count with the grazing or without.
-TEST(KnownCurves, GrazingsAreTheSameFromEitherSide) {
-    Curve grazing = corner();
-    grazing.kind = CurveKind::grazing;
-    EXPECT_TRUE(lies_on(grazing, {CurveKind::grazing, 1, 2}, at(2, 1.001, 1, 15), {4, 4}));
+    EXPECT_TRUE(lies_on(corner(), CurveKind::fold, 2, at(2, 1.001, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1.02, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::grazing, 2, at(2, 1, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 1, at(2, 1, 1, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1, 1.2, 15), window));
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, at(2, 1, 1, 16), window));
+    CurvePoint with_another = at(2, 1, 1, 15);
+    with_another.impacts = 1;
+    EXPECT_FALSE(lies_on(corner(), CurveKind::fold, 2, with_another, window));
+    Curve gaining = corner();
+    gaining.points[1].impacts = 1;  // from there on
+    EXPECT_TRUE(lies_on(gaining, CurveKind::fold, 2, with_another, window));
 }
 
 // Along (1, 1) to (3, 1); of such a curve, only some points are recognized if their traces are off.

@@ -151,8 +151,8 @@ def direction_handles(file: SweepFile, values: Callable[[Branch], Reals]) -> lis
 
 
 def draw_branch(ax: Axes, file: SweepFile, branch: Branch, values: Reals) -> None:
-    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, a dash where no neighbour
-    belongs to it, and a point of each motion without a period."""
+    """Draws values of a branch, (points,): a line where its motions have a period, ended where they jump, a dash where neither neighbour
+    is joined, and a point of each motion without a period."""
     look = LOOKS[branch.direction]
     along, y = line_through(file, np.where(branch.has_period, values, np.nan))
     cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
