@@ -88,6 +88,21 @@ Equations equations_of(const PlacedRig& rig, const OrbitPoint& point,
     return result;
 }
 
+// The equations also have solutions on which a contact runs backwards from its touch. Beyond a grazing, where
+// the touch has lost its speed, they lead to that grazing; else they are no motions.
+bool has_contact_backwards(const Rig& rig, const OrbitPoint& point) {
+    constexpr double rounding = 1e-9;  // of the orbit's duration
+    const Orbit& orbit = point.orbit;
+    const double duration = rig.at(point.place).duration_of(orbit.period);
+    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+        const Event& event = orbit.events[i];
+        if (event.kind == EventKind::touch && event.presses && event.velocity > 0 &&
+            orbit.length_of_leg(i, duration) < -rounding * duration)
+            return true;
+    }
+    return false;
+}
+
 double length_of(const Eigen::VectorXd& scaled_step) {
     return scaled_step.lpNorm<Eigen::Infinity>();
 }
@@ -155,7 +170,10 @@ std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoi
         const double error = residual(guess, at);
         if (!std::isfinite(error) || !at.jacobian.allFinite()) return std::nullopt;
         // at rounding level a further step brings no improvement
-        if (error <= largest_residual && (error < rounding || error > last / 4)) return guess;
+        if (error <= largest_residual && (error < rounding || error > last / 4)) {
+            if (has_contact_backwards(rig, guess)) return std::nullopt;
+            return guess;
+        }
         last = error;
         const Eigen::VectorXd sizes = sizes_of_unknowns(rig, guess, window);
         const Eigen::MatrixXd scaled = at.jacobian * sizes.asDiagonal();

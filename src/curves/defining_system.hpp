@@ -51,7 +51,8 @@ struct Equations {
 [[nodiscard]] double residual(const OrbitPoint& point, const Equations& equations);
 
 // Newton's method, with the minimum-norm step if there are fewer equations than unknowns. None if it does not
-// converge to `largest_residual`, if a scaled step is not shorter than 0.5, or if a number is not finite.
+// converge to `largest_residual`, if a scaled step is not shorter than 0.5, if a number is not finite, or if a
+// contact would run backwards.
 [[nodiscard]] std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoint& window,
                                               const std::vector<Condition>& conditions);
 

@@ -491,6 +491,43 @@ def test_a_border_is_told_with_the_events_of_its_motion(tmp_path):
     assert np.all(np.abs(frequency - 2.310466) > 1e-4) and np.all(np.abs(multiplier) < 1)
 
 
+STIFF = """schema = 1
+kind = "curves"
+[hammer]
+mass_kg = 0.3
+natural_frequency_hz = 4.5
+damping_ratio = 0.009782692778740353
+[cart]
+amplitude_m = 1e-3
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 21645866.252973743
+damping_ns_per_m = 1531.3440513059595
+[axes.frequency_ratio]
+from = 0.8
+to = 3.0
+points = 64
+[axes.gap_ratio]
+from = -1.0
+to = 2.5
+points = 64
+[curves]
+max_period = 3
+gap_ratio = [-0.0038277687121559545]
+"""
+
+
+def test_no_contact_runs_backwards(tmp_path):
+    """A fold went on with a weak contact whose release lay before its touch, to 1.08293778. A sweep has 3/2 up to 1.0829507."""
+    path, _ = compute(tmp_path, STIFF)
+    with h5py.File(path) as file:
+        of = file["crossing_curve"][()]
+        folds = (file["curve_kind"][()][of] == FOLD) & (file["curve_impacts"][()][of] == 3) & (file["curve_period"][()][of] == 2)
+        frequency = file["crossing_frequency_ratio"][()][folds]
+    near = frequency[np.abs(frequency - 1.083) < 1e-3]
+    assert near.size == 1 and abs(near[0] - 1.0829506638) < 1e-9
+
+
 RANDOM_RIG = """schema = 1
 kind = "curves"
 [hammer]
