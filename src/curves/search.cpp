@@ -220,17 +220,13 @@ class CurveSearch {
                (curve.impacts > 0 || is_free(other));
     }
 
-    [[nodiscard]] PlanePoint middle_of(const Edge& edge) const {
-        const PlanePoint a = map_.place(edge.from);
-        const PlanePoint b = map_.place(edge.to);
-        return {(a.column + b.column) / 2, (a.row + b.row) / 2};
-    }
-
     // Of a curve on which the motion of either side may end.
     [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
         const Site& a = map_.site(edge.from);
         const Site& b = map_.site(edge.to);
-        const PlanePoint middle = middle_of(edge);
+        const PlanePoint from = map_.place(edge.from);
+        const PlanePoint to = map_.place(edge.to);
+        const PlanePoint middle{(from.column + to.column) / 2, (from.row + to.row) / 2};
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
             return (may_end_on(curve, a, b) || may_end_on(curve, b, a)) &&
                    nearest_on(curve, middle, cell_).distance <= 1;
