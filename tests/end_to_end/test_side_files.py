@@ -1,6 +1,7 @@
 """The files that a run keeps beside its output, and the paths by which an output can be reached."""
 
 import os
+import signal
 import subprocess
 
 import pytest
@@ -58,14 +59,14 @@ def test_a_second_run_by_another_name_is_kept_out(tmp_path, kind):
     first = start_at_work(tmp_path)
     alias = tmp_path / "alias.h5"
     alias.symlink_to("job.h5") if kind == "symbolic" else os.link(tmp_path / "job.h5", alias)
-    second = launch.run("run", "job.toml", "--output", "alias.h5", cwd=tmp_path)
-    still_at_work = first.poll() is None
+    first.send_signal(signal.SIGSTOP)  # so that it holds its lock for as long as others wait
+    kept_out = launch.run("run", "job.toml", "--output", "alias.h5", cwd=tmp_path)
+    first.send_signal(signal.SIGCONT)
     first.communicate(timeout=launch.HANGING)
+    assert kept_out.returncode == 3 and "is being written by another run" in kept_out.stderr
     assert first.returncode == 0
-    if still_at_work:
-        assert second.returncode == 3 and "is being written by another run" in second.stderr
-    else:  # it waited for the end of the first one
-        assert second.returncode == 0 and "is complete" in second.stdout
+    let_in = launch.run("run", "job.toml", "--output", "alias.h5", cwd=tmp_path)
+    assert let_in.returncode == 0 and "is complete" in let_in.stdout
 
 
 def test_a_map_that_is_computed_can_be_read_meanwhile(tmp_path):
