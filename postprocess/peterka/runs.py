@@ -43,8 +43,8 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:  # noqa: A001: peterka
     Raises PeterkaFileError if the file is truncated, damaged or not a file of peterka."""
     with open_file(path) as file:
         reader = type(file)
-        if getattr(file, "computed", 1) < 1:
-            warnings.warn(f"{os.fspath(path)}: the run isn't finished: what has no result yet holds fill values, such as regime -128", stacklevel=2)
+        if not file.is_complete:
+            warnings.warn(f"{os.fspath(path)}: the run isn't finished: what has no result yet holds fill values, such as regime -128, and attractors may still be found", stacklevel=2)
     data = reader(path).data
     assert isinstance(data, CheckedFile)
     return dataset_of(data)

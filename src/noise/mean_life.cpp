@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,15 +24,18 @@ constexpr std::int64_t first_exits = 100;
 constexpr std::int64_t budget_of_exits = 32;  // a part of the budget, to be followed for
 constexpr std::int64_t asking_of_exits = 2;   // times the budget, that may go into asking
 constexpr std::int64_t enough_lives = 100;
-constexpr std::int64_t trials_for_levels = 256;
-constexpr std::int64_t reach_next = trials_for_levels / 4;  // that should get from a level to the next
+constexpr std::int64_t lives_to_follow_on = 10;  // in a quarter of the budget
 constexpr int changes_between_looks = 4;
-constexpr std::int64_t estimates = 8;
 constexpr std::int64_t asking = 16;  // times the budget of cycles that lives are followed for may go into it
-constexpr double too_strong = 1e-5;  // with a smaller radius of home nothing is told
-constexpr std::int64_t quiet_as_disturbed = 4;  // cycles without changes that take as long as a disturbed one
-constexpr std::int64_t fewest_trials = 32;
-constexpr std::int64_t most_trials = 100'000;
+constexpr std::size_t fewest_paths = 32;
+constexpr std::size_t most_paths = 10'000;
+constexpr double times_first_paths = 60;  // that a splitting costs, roughly
+constexpr std::int64_t splitting = 4;     // times the budget that one may take
+constexpr std::int64_t most_splittings = 16;
+constexpr double known_well = 0.25;               // relative variance
+constexpr double told_at_most = 0.4;              // relative variance of a mean life
+constexpr double too_strong = 1e-5;               // with a smaller radius of home nothing is told
+constexpr std::int64_t quiet_as_disturbed = 4;    // cycles without changes that take as long as a disturbed one
 constexpr std::size_t most_departures = 100'000;  // kept to begin trials from
 constexpr double rarest = 1e-15;                  // per cycle
 // With 95 % probability, the mean number of ends is less where so many are seen (Poisson).
@@ -145,9 +149,8 @@ struct Followed {
     std::int64_t departures = 0;
     std::vector<Walker> departed = {};  // just after they were home: the first of them
     [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
-    void count(const Followed& other) {
-        cycles += other.cycles;
-        lives += other.lives;
+    [[nodiscard]] Followed operator+(const Followed& other) const {
+        return {.cycles = cycles + other.cycles, .lives = lives + other.lives};
     }
 };
 
@@ -201,156 +204,154 @@ MeanLife life_of(const Followed& followed) {
     return {.mean = mean, .error = mean / std::sqrt(static_cast<double>(followed.lives))};
 }
 
-// The states in which a trial was further from home than ever before, and how it ended.
-struct Trial {
-    std::vector<std::pair<double, Walker>> records;
+// A motion from where it is away from home, or further, on: the states in which it was further than ever
+// before, and how it ended.
+struct Path {
+    std::vector<std::pair<double, Walker>> records = {};
+    std::size_t departure = 0;  // with which it began
     bool left = false;
     bool failed = false;
     bool stopped = false;  // as the budget ended
+
+    [[nodiscard]] double furthest() const { return left ? infinitely_far : records.back().first; }
+    // The state in which it first was beyond a distance, which it reached.
+    [[nodiscard]] Walker beyond(double distance) const {
+        const auto record =
+            std::ranges::find_if(records, [&](const auto& one) { return one.first > distance; });
+        return record == records.end() ? Walker{.motion = {}, .ask = 0, .left = true} : record->second;
+    }
 };
 
-// Until it is home again, has left, has come as far as `target`, or until the walk has computed `end` cycles.
-Trial run_trial(Walk& walk, Walker walker, double target, std::int64_t end) {
-    Trial trial;
-    if (walker.left) {
-        trial.left = true;
-        return trial;
-    }
+// Until it is home again, has left, or until the walk has computed `end` cycles.
+Path follow_path(Walk& walk, Walker walker, std::size_t departure, std::int64_t end) {
+    Path path{.departure = departure, .left = walker.left};
     double furthest = not_looked;
-    for (;;) {
-        trial.stopped = walk.cycles() >= end;
-        if (trial.stopped) return trial;
+    for (Now now = path.left ? Now::left : Now::away; now == Now::away;) {
+        path.stopped = walk.cycles() >= end;
+        if (path.stopped) return path;
         const double distance = walk.distance(walker);
-        trial.failed = std::isnan(distance);
+        path.failed = std::isnan(distance);
+        if (path.failed) return path;
         if (distance > furthest) {
             furthest = distance;
-            trial.records.emplace_back(furthest, walker);
+            path.records.emplace_back(furthest, walker);
         }
-        if (trial.failed || furthest >= target) return trial;
-        const Now now = walk.step(walker);
-        trial.left = now == Now::left;
-        trial.failed = now == Now::failed;
-        if (now != Now::away) return trial;
+        now = walk.step(walker);
+        path.left = now == Now::left;
+        path.failed = now == Now::failed;
     }
+    return path;
 }
 
-// The state in which a trial reached a level; nothing if it didn't.
-std::optional<Walker> reached(const Trial& trial, double level) {
-    for (const auto& [distance, walker] : trial.records) {
-        if (distance >= level) return walker;
-    }
-    if (!trial.left) return std::nullopt;
-    return Walker{.motion = {}, .ask = 0, .left = true};
-}
-
-struct Levels {
-    std::vector<double> distances;     // of the levels beyond home
-    std::vector<double> trial_cycles;  // mean number of cycles of a trial at each level, from home on
-    double probability = 1;            // to reach the last level, roughly
-    bool leads_away = false;           // from the last level trials leave
+struct Probability {
+    double mean = 1;
+    double variance = 0;  // relative
 };
 
-// As far as the budget reaches: then the estimates, which begin fewer trials, keep to theirs. Nothing where
-// trials fail.
-std::optional<Levels> choose_levels(Walk& walk, std::vector<Walker> from, double departures_per_cycle,
-                                    std::int64_t budget) {
-    Levels levels;
-    double last = 0;
-    const std::int64_t end = walk.cycles() + budget;
-    for (;;) {
-        std::vector<Trial> trials;
-        std::vector<double> furthest;
-        const std::int64_t before = walk.cycles();
-        for (std::int64_t n = 0; n < trials_for_levels; ++n) {
-            trials.push_back(run_trial(walk, from[walk.one_of(from.size())], infinitely_far, end));
-            const Trial& trial = trials.back();
-            if (trial.stopped) return levels;
-            if (trial.failed) return std::nullopt;
-            furthest.push_back(trial.left ? infinitely_far : trial.records.back().first);
-        }
-        levels.trial_cycles.push_back(static_cast<double>(walk.cycles() - before) /
-                                      static_cast<double>(trials_for_levels));
-        std::ranges::sort(furthest);
-        const double next = furthest[static_cast<std::size_t>(trials_for_levels - reach_next)];
-        levels.leads_away = next == infinitely_far;
-        const bool is_rarest = levels.probability * departures_per_cycle < rarest;
-        if (levels.leads_away || is_rarest || !(next > last)) return levels;
-        from.clear();
-        for (const Trial& trial : trials) {
-            if (const auto walker = reached(trial, next)) from.push_back(*walker);
-        }
-        levels.probability *= static_cast<double>(from.size()) / static_cast<double>(trials_for_levels);
-        levels.distances.push_back(next);
-        last = next;
-    }
+// Of a departure from home.
+struct Split {
+    std::optional<Probability> leaves;
+    Probability gets_far;  // as far as is known well
+    bool stopped = false;  // as the budget ended
+};
+
+double median_furthest(const std::vector<Path>& paths) {
+    std::vector<double> furthest;
+    for (const Path& path : paths) furthest.push_back(path.furthest());
+    const auto middle = furthest.begin() + std::ssize(furthest) / 2 - 1;
+    std::ranges::nth_element(furthest, middle);
+    return *middle;
 }
 
-// Lives that end per cycle, NaN where trials go far beyond the budget; nothing where they fail. walker: as for
-// `follow`; `all`: what is followed is counted there, too.
-std::optional<double> rate_of(Walk& walk, Walker& walker, const Levels& levels, std::int64_t budget,
-                              std::int64_t trials, Followed& all) {
-    const std::int64_t end = walk.cycles() + asking * budget;
-    const Followed base =
-        follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max(), asking * budget);
-    if (!base.is_sound()) return std::nullopt;
-    all.count(base);
-    if (base.departures == 0) return 0;
-    double rate = static_cast<double>(base.departures) / static_cast<double>(base.cycles);
-    std::vector<Walker> from = base.departed;
-    std::vector<double> targets = levels.distances;
-    targets.push_back(infinitely_far);
-    for (const double target : targets) {
-        std::vector<Walker> there;
-        for (std::int64_t i = 0; i < trials; ++i) {
-            const Trial trial = run_trial(walk, from[walk.one_of(from.size())], target, end);
-            if (trial.failed) return std::nullopt;
-            if (trial.stopped) return cell::unknown;
-            if (const auto at_target = reached(trial, target)) there.push_back(*at_target);
-        }
-        rate *= static_cast<double>(there.size()) / static_cast<double>(trials);
-        if (there.empty()) return 0;
-        from = std::move(there);
-    }
-    return rate;
-}
-
-// From the mean rate and its standard error, a bound alone where one or two estimates saw a life end; nothing
-// where none did, or one didn't end.
-std::optional<MeanLife> life_of(const std::vector<double>& rates) {
-    const auto count = static_cast<double>(rates.size());
-    double mean = 0;
-    for (const double rate : rates) mean += rate / count;
-    if (!(mean > 0)) return std::nullopt;
-    const auto seen = std::ranges::count_if(rates, [](double rate) { return rate > 0; });
-    if (seen < std::ssize(most_of_few))
-        return MeanLife{.least =
-                            static_cast<double>(seen) / (most_of_few[static_cast<std::size_t>(seen)] * mean)};
+// Relative, of the probability to get where some paths got: departures get there independently of each other,
+// so it is told by how many of those paths descend from the same (Lee & Whiteley 2018, Biometrika 105, 609).
+double variance_of(const std::vector<Path>& paths, const std::vector<std::size_t>& got_there) {
+    std::map<std::size_t, double> descendants;
+    for (const std::size_t n : got_there)
+        descendants[paths[n].departure] += 1 / static_cast<double>(got_there.size());
     double squares = 0;
-    for (const double rate : rates) squares += (rate - mean) * (rate - mean);
-    return MeanLife{.mean = 1 / mean, .error = std::sqrt(squares / (count - 1) / count) / (mean * mean)};
+    for (const auto& [departure, share] : descendants) squares += share * share;
+    return std::max(squares - 1 / static_cast<double>(paths.size()), 0.0);
 }
 
-// That of so many or fewer events, of which `mean` are expected (Poisson).
-double chance_of_at_most(std::int64_t count, double mean) {
-    double term = std::exp(-mean);
-    double sum = 0;
-    for (std::int64_t n = 0; n <= count; ++n) {
-        sum += term;
-        term *= mean / static_cast<double>(n + 1);
+// first: cycles that the first paths took.
+std::size_t affordable_paths(std::int64_t first, std::int64_t budget) {
+    const double each = times_first_paths * static_cast<double>(first) / static_cast<double>(fewest_paths);
+    return std::clamp(static_cast<std::size_t>(static_cast<double>(budget) / std::max(each, 1.0)), fewest_paths,
+                      most_paths);
+}
+
+// From some of the departures. Nothing where a path fails.
+std::optional<Split> split(Walk& walk, const std::vector<Walker>& departed, double least_probability,
+                           std::int64_t budget) {
+    const std::int64_t begin = walk.cycles();
+    const std::int64_t end = begin + splitting * budget;
+    Split found;
+    std::vector<Path> paths;
+    std::size_t count = fewest_paths;
+    while (paths.size() < count) {
+        const std::size_t departure = walk.one_of(departed.size());
+        paths.push_back(follow_path(walk, departed[departure], departure, end));
+        if (paths.back().failed) return std::nullopt;
+        found.stopped = paths.back().stopped;
+        if (found.stopped) return found;
+        if (paths.size() == fewest_paths) count = affordable_paths(walk.cycles() - begin, budget);
     }
-    return sum;
+    for (double probability = 1;;) {
+        const double level = median_furthest(paths);
+        const bool leaves = level == infinitely_far;
+        std::vector<std::size_t> beyond;
+        for (std::size_t n = 0; n < count; ++n) {
+            if (leaves ? paths[n].left : paths[n].furthest() > level) beyond.push_back(n);
+        }
+        if (beyond.empty()) return found;
+        probability *= static_cast<double>(beyond.size()) / static_cast<double>(count);
+        const Probability gets_there{probability, variance_of(paths, beyond)};
+        if (gets_there.variance <= known_well) found.gets_far = gets_there;
+        if (leaves) found.leaves = gets_there;
+        if (leaves || probability < least_probability) return found;
+        std::size_t next = walk.one_of(beyond.size());
+        for (Path& path : paths) {
+            if (path.furthest() > level) continue;
+            const Path& parent = paths[beyond[next++ % beyond.size()]];
+            path = follow_path(walk, parent.beyond(level), parent.departure, end);
+            if (path.failed) return std::nullopt;
+            found.stopped = path.stopped;
+            if (found.stopped) return found;
+        }
+    }
 }
 
-// Whether the lives that were seen to end are so many as a mean life within two standard errors lets expect:
-// eight estimates that differ by factors of ten may all miss the ways on which most lives end.
-bool fits(const MeanLife& life, const Followed& seen) {
-    constexpr double unlikely = 0.025;
-    const auto cycles = static_cast<double>(seen.cycles);
-    const double spread = 2 * life.error / life.mean;
-    const double fewest = cycles / life.mean * std::max(1 - spread, 0.0);
-    const double most = cycles / life.mean * (1 + spread);
-    return chance_of_at_most(seen.lives, fewest) > unlikely &&
-           1 - chance_of_at_most(seen.lives - 1, most) > unlikely;
+// By departures from home and the probability that one leaves, from as many splittings as the budget has.
+std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, std::int64_t budget) {
+    const auto departures = static_cast<double>(first.departures);
+    const double departures_per_cycle = departures / static_cast<double>(first.cycles);
+    const std::int64_t before = walk.cycles();
+    std::int64_t runs = 0;
+    double sum = 0;
+    double variance = 0;  // of the sum
+    double far = 1;
+    for (std::int64_t most = 1; runs < most; ++runs) {
+        const auto part = split(walk, first.departed, rarest / departures_per_cycle, budget);
+        if (!part) return std::nullopt;
+        const std::int64_t cycles = std::max<std::int64_t>(walk.cycles() - before, 1);
+        if (runs == 0) {
+            most = std::clamp<std::int64_t>(budget / cycles, 1, most_splittings);
+            far = part->gets_far.mean * (1 + 2 * std::sqrt(part->gets_far.variance + 1 / departures));
+        }
+        if (part->stopped) break;
+        if (!part->leaves) continue;
+        sum += part->leaves->mean;
+        variance += part->leaves->mean * part->leaves->mean * part->leaves->variance;
+    }
+    const double relative = variance / (sum * sum) + 1 / departures;
+    if (relative <= told_at_most) {
+        const double mean = static_cast<double>(runs) / (sum * departures_per_cycle);
+        return MeanLife{.mean = mean, .error = mean * std::sqrt(relative)};
+    }
+    MeanLife life = life_of(first);
+    if (std::isfinite(life.least)) life.least = std::max(1 / (departures_per_cycle * far), life.least);
+    return life;
 }
 
 }  // namespace
@@ -371,40 +372,15 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     if (home.radius() < too_strong) return std::nullopt;
     Walk walk(map, home, seed);
     find_patience(walk, home, budget);
-    const std::int64_t before = walk.cycles();
     Walker walker = walk.begin();
     const Followed first = follow(walk, walker, budget / 4, enough_lives, asking * budget / 4);
-    Followed all = first;
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first);
-    const double departures_per_cycle =
-        static_cast<double>(first.departures) / static_cast<double>(first.cycles);
-    const auto levels = choose_levels(walk, first.departed, departures_per_cycle, budget / 2);
-    if (!levels) return std::nullopt;
-    const double reached_per_cycle = departures_per_cycle * levels->probability;
-    const auto without_splitting = [&] {
-        MeanLife life = life_of(all);
-        if (all.lives == 0) life.least = std::max(1 / reached_per_cycle, life.least);
-        return life;
-    };
-    if (!levels->leads_away) return without_splitting();
-    const std::int64_t each = std::max(budget - (walk.cycles() - before), budget / 4) / (2 * estimates);
-    double of_trials = 0;
-    for (const double cycles : levels->trial_cycles) of_trials += cycles;
-    const auto trials = std::clamp(static_cast<std::int64_t>(static_cast<double>(each) / of_trials),
-                                   fewest_trials, most_trials);
-    std::vector<double> rates;
-    for (std::int64_t n = 0; n < estimates; ++n) {
-        const auto rate = rate_of(walk, walker, *levels, each, trials, all);
-        if (!rate) return std::nullopt;
-        rates.push_back(*rate);
-    }
-    const auto life = life_of(rates);
-    if (life && std::isfinite(life->mean) && fits(*life, all)) return life;
-    MeanLife other = without_splitting();
-    if (life && std::isnan(life->mean) && std::isnan(other.mean))
-        other.least = std::max(other.least, life->least);
-    return other;
+    const std::int64_t rest = budget - budget / 4;
+    if (first.lives < lives_to_follow_on) return life_by_splitting(walk, first, rest);
+    const Followed more = follow(walk, walker, rest, std::numeric_limits<std::int64_t>::max(), asking * rest);
+    if (!more.is_sound()) return std::nullopt;
+    return life_of(first + more);
 }
 
 }  // namespace peterka::noise

@@ -9,17 +9,18 @@
 // for at most a quarter of the mean time until it would first not return (the first exit from its basin at
 // phase 0, of which a few are followed before), or for no longer than a cycle.
 //
-// Where it leaves often, many lives are followed. Where it leaves rarely, forward flux sampling (Allen, Warren
-// & ten Wolde 2005, Phys. Rev. Lett. 94, 018104; a splitting method after Kahn & Harris 1951) multiplies the
-// rate at which it departs from home by the probabilities to get from one level of distance to the next before
-// it is home again. Each is estimated by trials from states in which others reached the level; between the ends
-// of cycles, the distance is that at the next end without further disturbances. The levels come from trials
-// that don't count. Several such estimates, each with disturbances of its own, tell the standard error.
+// Where it leaves often, many lives are followed. Where it leaves rarely, the rate at which it departs from
+// home is multiplied by the probability that a departure leaves, by adaptive multilevel splitting (Cerou &
+// Guyader 2007, Stoch. Anal. Appl. 25, 417): of paths from departures that half which comes less far from home
+// is ended, again and again, and others are followed from where the rest got further. Between the ends of
+// cycles, the distance is that at the next end without further disturbances. How many departures those that
+// leave descend from tells the standard error.
 //
-// Where no trial gets beyond a level, as a motion that forgets within a cycle may do, or the budget ends, the
-// lives that were followed count. Fewer than three ends, or estimates that see one, tell a bound alone (95 %,
-// Poisson): it is those seen by chance of which a mean would be told, and it would be too short. Of none, what
-// is known is how rarely the levels so far are reached: the motion lasts at least that long, roughly.
+// Where no path gets beyond a level, as a motion that forgets within a cycle may do, where the budget ends or
+// the error were above 63 %, the lives that were followed count. Fewer than three ends tell a bound alone (95
+// %, Poisson): it is those seen by chance of which a mean would be told, and it would be too short. Of none, it
+// is known, too, how rarely paths get as far as is known within 50 %: the motion lasts at least that long,
+// roughly.
 #pragma once
 
 #include <cstdint>

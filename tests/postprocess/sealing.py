@@ -44,6 +44,18 @@ def write_seal(path):
             file["summary/checksum"][()] = value
 
 
+def unfinish(path):
+    """As a run leaves it that has all cells, but not what follows them."""
+    with h5py.File(path, "r+") as file:
+        file["summary/finished"][()] = 0
+        file["summary"].create_dataset("frame", data=np.uint64(0))
+    with h5py.File(path, "r") as file, open(path, "rb") as raw:
+        value = seal.seal_of(file, raw, own_objects.storages(file, path_size(raw)), whole=False)
+    with h5py.File(path, "r+") as file:
+        file["summary/frame"][()] = value
+    write_record(path)
+
+
 def write_record(path):
     """Checksum over all bytes except the record itself, which becomes the end of the file."""
     with h5py.File(path, "r+") as file:

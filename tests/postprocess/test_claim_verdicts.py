@@ -10,7 +10,7 @@ from peterka.claims.record import AGREES, DIFFERS
 from peterka.claims.sensitivity import contact_damping_with_both, rows
 from picture_samples import PLAIN, write_map
 from sweep_samples import FREQUENCY, write_sweep
-from sealing import SealedFile
+from sealing import SealedFile, unfinish
 
 MILLIMETRE = 1 / 0.89  # A0
 RIGS = [f"peterka_{rig}" for rig in force_map.RIGS]
@@ -47,7 +47,7 @@ def test_bands_and_forces_at_gap_0():
     (300, "exceed those of z = 1/1 only at higher frequencies: 300 N at 18.00 Hz"),
     (150, "nowhere exceed those of z = 1/1: at most 150 N, at 15.00 Hz")])
 def test_where_the_second_band_is_stronger_is_told_as_it_is(beyond, words):
-    gaps = plane([[ONE, HALF, HALF]], [[200, 150, beyond]], columns=[9, 15, 18])
+    gaps = plane([[ONE, HALF, HALF]], [[200, 150, beyond]], columns=[7, 15, 18])
     found = {claim.key: claim for claim in gap_zero.claims(Held(gaps_170mm=gaps))}["gap_0_half_is_stronger"]
     assert found.verdict == DIFFERS and words in found.why
 
@@ -90,7 +90,7 @@ def test_gap_0_is_robust_and_higher_gaps_jump():
 
 
 def test_a_band_that_is_missing_differs():
-    empty = plane([[QUIET] * 4] * 3, np.zeros((3, 4)))
+    empty = plane([[QUIET] * 4] * 3, np.zeros((3, 4)), columns=[1, 6, 11, 16])
     folder = Held(gaps_170mm=empty, basin_170mm_gap_0=basin(1, 1), basin_170mm_gap_3=basin(1, 1),
                   **dict.fromkeys(RIGS, empty))
     for group in (gap_zero, force_map, robust):
@@ -271,3 +271,20 @@ def test_unfinished_files_are_refused(tmp_path):
     write_map(tmp_path / "gaps_170mm.h5", [[(-128, 0, 0)] * 4] * 4, job=JOB)
     with pytest.raises(PeterkaFileError, match="gaps_170mm.h5 is not complete"):
         gap_zero.claims(Folder(tmp_path))
+    for path, of in ((sweeps(tmp_path) / "sweep_150mm.h5", jumps), (write_map(tmp_path / "gaps_170mm.h5", [[(0, 0, 1)] * 4] * 4, job=JOB), gap_zero)):
+        unfinish(path)
+        with pytest.raises(PeterkaFileError, match=f"{path.name} is not complete"):
+            of.claims(Folder(tmp_path))
+
+
+def test_maps_and_sweeps_that_do_not_reach_a_place_are_refused(tmp_path):
+    """Not judged by the row, column or branch that is nearest."""
+    write_map(tmp_path / "gaps_170mm.h5", [[(0, 0, 1)] * 4] * 4, np.linspace(1, 4, 4), np.linspace(1.5, 4.5, 4), job=JOB)
+    with pytest.raises(PeterkaFileError, match="gaps_170mm.h5 reaches from 1.5 to 4.5 gap/A0; a map of this name is to reach 0"):
+        gap_zero.claims(Folder(tmp_path))
+    write_map(tmp_path / "gaps_170mm.h5", [[(0, 0, 1)] * 4] * 4, np.linspace(1, 2.5, 4), np.linspace(0, 3, 4), job=JOB)
+    with pytest.raises(PeterkaFileError, match="gaps_170mm.h5 reaches from 4.5 to 11.25 Hz; a map of this name is to reach 15.25"):
+        gap_zero.claims(Folder(tmp_path))
+    sweep = jumps.Sweep(sweeps(tmp_path) / "sweep_150mm.h5")
+    with pytest.raises(PeterkaFileError, match="sweep_150mm.h5 has no gap of 5 mm"):
+        sweep.branches(5)

@@ -9,6 +9,7 @@ import matplotlib.image
 import pytest
 from conftest import POSTPROCESS
 from picture_samples import MISSING, PLAIN, write_basin, write_map
+from sealing import unfinish
 
 MAP_PICTURES = ["force_1_1", "force_all", "map"]
 BASIN_PICTURES = ["basin", "basin_impact"]
@@ -57,6 +58,14 @@ def test_the_same_file_gives_the_same_bytes(tmp_path, draw):
     first = {picture.name: picture.read_bytes() for picture in (tmp_path / "out").iterdir()}
     draw(path)
     assert first == {picture.name: picture.read_bytes() for picture in (tmp_path / "out").iterdir()}
+
+
+def test_a_file_of_which_only_what_follows_the_cells_is_missing_says_so(tmp_path, draw):
+    path = write_map(tmp_path / "a.h5")
+    unfinish(path)
+    outcome = draw(path)
+    assert outcome.code == 0
+    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: all cells computed, but not what follows"
 
 
 def test_an_incomplete_file_is_drawn_with_a_notice(tmp_path, draw):

@@ -143,5 +143,6 @@ def test_percent(share, text):
 def test_almost_complete_is_not_called_complete():
     class File:
         computed = 1 - 1e-9
+        is_complete = False
 
     assert axes.incomplete_text(File) == "incomplete: 99.9 % computed"

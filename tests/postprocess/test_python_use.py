@@ -12,7 +12,7 @@ from conftest import POSTPROCESS
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from picture_samples import write_map
-from sealing import SealedFile
+from sealing import SealedFile, unfinish
 from test_picture_real_file import MAP, RIG
 
 JOB = {
@@ -64,6 +64,10 @@ def test_a_file_that_a_run_has_not_finished_says_so(tmp_path):
     path = write_map(tmp_path / "a.h5", [[(1, 1, 1), (-128, -1, -1)]])
     with pytest.warns(UserWarning, match="the run isn't finished: what has no result yet holds fill values"):
         assert peterka.open(path).regime.values.tolist() == [[1, -128]]
+    whole = write_map(tmp_path / "b.h5")
+    unfinish(whole)
+    with pytest.warns(UserWarning, match="the run isn't finished"):
+        peterka.open(whole)
 
 
 def test_all_faults_of_a_job_are_one_exception():

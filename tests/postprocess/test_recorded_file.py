@@ -81,6 +81,9 @@ def test_units_of_accelerations_and_displacements(tmp_path):
     volts = read_recording(written(tmp_path, "Time [s],Acceleration [mV]\n" + rows(TIME, 100 * FORCE / 9.80665)), None, None,
                            Layout(sensitivity={"acceleration": 0.1 / 9.80665}))
     np.testing.assert_allclose(volts.signals["acceleration"], FORCE, rtol=1e-7, atol=1e-7)
+    tenths = read_recording(written(tmp_path, "Time [s],Acceleration [mV]\n" + rows(TIME, 1000 * FORCE / 9.80665)), None, None,
+                            Layout(sensitivity={"acceleration": 0.1 / 9.80665}, scale={"acceleration": 0.1}))
+    np.testing.assert_allclose(tenths.signals["acceleration"], FORCE, rtol=1e-7, atol=1e-7)
 
 
 @pytest.mark.parametrize("held", [10**9, 0], ids=["in memory", "mapped"])
@@ -149,6 +152,8 @@ def noise(count):
     ("Time,Force\n" + rows(TIME, FORCE), Layout(), "has no unit for 'Time'"),
     ("Time [s],Force [mV]\n" + rows(TIME, FORCE), Layout(), "--sensitivity force=10mV/N"),
     ("Time [s],Force [N]\n" + rows(TIME, FORCE), Layout(sensitivity={"force": 1.0}), "which is no voltage"),
+    ("Time [s],Force [N]\n" + rows(TIME, FORCE), Layout(sensitivity={"force": 1.0}, scale={"force": 2.0}), "--columns 'force[V]' says that --scale force=2 "),
+    ("Time [s],Force\n" + rows(TIME, FORCE), Layout(sensitivity={"force": 1.0}, scale={"force": 2.0}), "has its force in no voltage"),
     ("Time [s],Force [kg]\n" + rows(TIME, FORCE), Layout(), "has its force in 'kg'"),
     ("Time [s],Force [N]\n" + rows(TIME, FORCE), Layout(rate=RATE), "has Time [s] and a sample rate"),
     ("time_s,force_n\n" + rows(TIME, FORCE) + rows(TIME, FORCE), Layout(), "it goes back"),

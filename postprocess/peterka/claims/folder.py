@@ -122,12 +122,19 @@ class Plane:
         return float(np.mean(mask))
 
     def column_at_hz(self, frequency_hz: float) -> int:
-        """The column nearest to a frequency."""
-        return int(np.argmin(np.abs(self.frequency_hz - frequency_hz)))
+        """The column nearest to a frequency. Raises PeterkaFileError where the map doesn't reach it."""
+        return self._nearest(self.frequency_hz, frequency_hz, "Hz")
 
     def row_at(self, value: float) -> int:
-        """The row nearest to a value of its axis."""
-        return int(np.argmin(np.abs(self.rows - value)))
+        """The row nearest to a value of its axis. Raises PeterkaFileError where the map doesn't reach it."""
+        return self._nearest(self.rows, value, "gap/A0")
+
+    def _nearest(self, values: Reals, value: float, unit: str) -> int:
+        step = (values[-1] - values[0]) / max(len(values) - 1, 1)
+        nearest = int(np.argmin(np.abs(values - value)))
+        if abs(values[nearest] - value) > step:
+            raise PeterkaFileError(f"{self.path} reaches from {values[0]:.4g} to {values[-1]:.4g} {unit}; a map of this name is to reach {value:.4g}")
+        return nearest
 
 
 @dataclass(frozen=True)
@@ -187,12 +194,12 @@ def require_alike(planes: Sequence[Plane]) -> None:
 
 
 def read_plane(path: Path) -> Plane:
-    """The cells of a file, all of which must be computed."""
+    """The cells of a file, which must be complete."""
     with PeterkaFile(path) as file:
         names = ["regime", "impacts", "period", "peak_force_ratio"] + ["last_impact"] * file.has_last_impact
         bands = [band for _, band in file.bands(names)]
         fields: dict[str, Any] = {name: np.concatenate([band[name] for band in bands]) for name in names}
-        if np.any(fields["regime"] == NOT_COMPUTED):
+        if np.any(fields["regime"] == NOT_COMPUTED) or not file.data.is_finished:
             raise file.refusal("is not complete; finish it with the command that began it")
         return Plane(path, file.kind, read_job(file), file.rows.values, file.columns.values,
                      last_impact=fields.pop("last_impact", None), **fields)

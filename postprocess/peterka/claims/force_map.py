@@ -41,8 +41,8 @@ def _natural(planes: Mapping[str, Plane], pictures: Sequence[str]) -> list[Claim
     """At gap 0, any z at the natural frequency; and z = 1/1 alone, over all gaps, as in Fig. 23."""
     at_gap_0, of_one = [], []
     for plane in planes.values():
-        forces, column = forces_one_to_one(plane), int(np.argmin(np.abs(plane.columns - 1)))
-        at_gap_0.append(_over(forces[0].max(), plane.force_n[0, column]))
+        forces, column, row = forces_one_to_one(plane), plane.column_at_hz(plane.natural_frequency_hz), plane.row_at(0)
+        at_gap_0.append(_over(forces[row].max(), plane.force_n[row, column]))
         of_one.append(_over(forces.max(), forces[:, column].max()))
     return [
         claim("map_natural", PLACE, SAYS["natural"], f"{_each(of_one, planes)} times where z = 1/1, over all gaps",
@@ -100,7 +100,7 @@ def _zero_gap(planes: Mapping[str, Plane], pictures: Sequence[str]) -> Claim:
     shares = []
     for plane in planes.values():
         forces = forces_one_to_one(plane)
-        shares.append(_over(forces[0].max(), forces.max()))
+        shares.append(_over(forces[plane.row_at(0)].max(), forces.max()))
     return claim(
         "map_zero_gap", f"{PLACE}; section 5", SAYS["zero_gap"],
         f"at gap 0 {_each(shares, planes, 100, ' %')} of the largest force of z = 1/1 at any gap",

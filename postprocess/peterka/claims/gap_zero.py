@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..errors import PeterkaFileError
 from . import exact_limits
 from .folder import Folder, Plane
 from .record import FREQUENCY, Claim, claim, near, not_computed, off_by
@@ -31,6 +32,8 @@ def claims(folder: Folder) -> list[Claim]:
     plane = folder.plane(FILE)
     if plane is None:
         return [not_computed(f"gap_0_{key}", PLACE, says, f"{FILE}.h5") for key, says in SAYS.items()]
+    if plane.row_at(0) != 0:
+        raise PeterkaFileError(f"{plane.path} has gaps below 0; a map of this name is to begin at 0")
     return [*_bands(folder, plane), *_labels(plane), *_forces(plane)]
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise, product
 from pathlib import Path
 
+from ..errors import PeterkaFileError
 from ..files.regimes import PERIODIC
 from ..sweeps.sweep_file import Branch, SweepFile
 from .folder import Folder
@@ -23,6 +24,7 @@ SAYS = {
 FILES = {rig: f"sweep_{rig}" for rig in RIGS}
 DIRECTIONS = {"up": "rising", "down": "falling"}
 GAPS = (0, 1, 3)  # mm
+OTHER_GAP = 0.25  # mm; rigs drawn at random have theirs off by less
 
 
 def claims(folder: Folder) -> list[Claim]:
@@ -41,6 +43,7 @@ class Sweep:
     """Branches of a sweep, by gap and direction."""
 
     def __init__(self, path: Path) -> None:
+        self.path = path
         with SweepFile(path) as file:
             hertz, newtons, metres = file.positive("natural_frequency_hz"), file.newtons, file.positive("cart_amplitude_m")
             if hertz is None or newtons is None or metres is None:
@@ -49,7 +52,7 @@ class Sweep:
             self.millimetres = [gap * 1e3 * metres for gap in file.gaps if gap is not None]
             self.hertz = file.frequency_ratio * self.natural_frequency_hz
             self._branches = {gap: {branch.direction: branch for branch in file.at_gap(gap)} for gap in file.gaps}
-            if file.computed < 1:
+            if not file.is_complete:
                 raise file.refusal("is not complete; finish it with the command that began it")
             if any(set(branches) != set(DIRECTIONS) for branches in self._branches.values()):
                 raise file.refusal("has no branches with rising and with falling frequency at each gap")
@@ -58,6 +61,8 @@ class Sweep:
         """{direction: Branch} of the gap nearest to this value."""
         gaps = list(self._branches)
         near = min(range(len(gaps)), key=lambda n: abs(self.millimetres[n] - millimetres))
+        if abs(self.millimetres[near] - millimetres) > OTHER_GAP:
+            raise PeterkaFileError(f"{self.path} has no gap of {millimetres:g} mm, the nearest is {self.millimetres[near]:.3g} mm")
         return self._branches[gaps[near]]
 
     def resonance(self, millimetres: float, direction: str = "up") -> tuple[float, float] | None:

@@ -83,8 +83,8 @@ class _Output:
 
 
 def tell_if_unfinished(file: OpenedFile) -> None:
-    """Prints what share of a file is computed, where that isn't all of it."""
-    if file.computed < 1:
+    """Prints what share of a file is computed, where it isn't complete."""
+    if not file.is_complete:
         tell(f"{file.path}: {axes.incomplete_text(file)}")
 
 

@@ -12,7 +12,7 @@ acceleration and displacement. Columns are named time_s, time_ms, force_n, force
 displacement_m or displacement_mm, or by a quantity and its unit, "Force [kN]", "Time (ms)"; lines before are skipped. --columns
 time[s],force[mV],- names those of a file without such names (SI where no unit is given, - for a column that is left out),
 --sensitivity force=22.4mV/N tells a sensor's, --scale force=FACTOR how many N a number stands for, or full scale of a WAV
-file; --rate-hz stands for a time. Commas, semicolons, tabs or spaces part columns; cells may be empty or NaN, and rows missing.
+file (with --sensitivity, how many of the column's V or mV); --rate-hz stands for a time. Commas, semicolons, tabs or spaces part columns; cells may be empty or NaN, and rows missing.
 --from and --to [s] cut out what is before the release, say.
 Tables have restitution, or speed_before_m_s and speed_after_m_s, and contact_time_s or contact_time_ms. Several files are
 one rig's: their results are averaged, each with its weight. Prints ki, ci, natural frequency, damping ratio and gap with

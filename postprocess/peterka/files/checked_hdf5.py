@@ -8,6 +8,7 @@ PeterkaFileError whose message is one sentence with the file's name.
 
 import os
 import re
+from functools import cached_property
 from pathlib import Path
 from typing import Any, BinaryIO, Protocol, TypeGuard
 
@@ -37,6 +38,9 @@ class Content(Protocol):
 
     path: Path
     may_be_part: bool
+
+    @property
+    def is_finished(self) -> bool: ...
 
     def refusal(self, reason: str) -> PeterkaFileError: ...
 
@@ -87,6 +91,14 @@ class CheckedFile:
         except seal.Broken as broken:
             raise self.refusal(str(broken)) from broken
         except (*_ERRORS, MemoryError) as error:
+            raise self.refusal(f"is damaged ({_first_line(error)})") from error
+
+    @cached_property
+    def is_finished(self) -> bool:
+        """Whether the run that writes it has finished it."""
+        try:
+            return seal.is_finished(self._file, self._storages)
+        except _ERRORS as error:
             raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
     def refusal(self, reason: str) -> PeterkaFileError:

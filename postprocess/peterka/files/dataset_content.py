@@ -20,6 +20,7 @@ class DatasetContent:
     """A dataset in place of a CheckedFile; the readers check it as they check a file."""
 
     may_be_part = True  # of its file, by sel or isel
+    is_finished = True  # else it was told when the file was opened
 
     def __init__(self, dataset: xarray.Dataset) -> None:
         self._dataset = dataset

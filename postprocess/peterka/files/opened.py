@@ -66,6 +66,11 @@ class OpenedFile:
         """The computed share, 0 to 1; each kind of file counts in its own way."""
         raise NotImplementedError
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether all is computed, also what follows when all cells are: audits, motions found next door, what ends in what."""
+        return self.computed == 1 and self.data.is_finished
+
     @cached_property
     def title(self) -> str:
         """The title as one sanitised line; the file's name if it has no title."""

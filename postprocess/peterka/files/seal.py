@@ -35,13 +35,18 @@ def verify(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None
     """`raw`: the open file of the same bytes; `storages`: from own_objects. Raises Broken."""
     if xxhash is None:
         raise Broken("can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)")
-    finished = FINISHED in storages and file[FINISHED].shape == () and file[FINISHED][()] == 1
+    finished = is_finished(file, storages)
     place = SEAL if finished else FRAME
     if place not in storages or file[place].dtype != np.uint64 or file[place].shape != ():
         raise Broken("is damaged: it has no checksum of what lies outside its cells")
     if int(file[place][()]) != seal_of(file, raw, storages, whole=finished):
         raise Broken("is damaged: something in it is not what was written (wrong checksum); compute it again")
     _verify_tiles(file, raw, storages)
+
+
+def is_finished(file: h5py.File, storages: Mapping[str, Storage | None]) -> bool:
+    """Whether the run that writes the file has finished it."""
+    return bool(FINISHED in storages and file[FINISHED].shape == () and file[FINISHED][()] == 1)
 
 
 def seal_of(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None], whole: bool = True) -> int:

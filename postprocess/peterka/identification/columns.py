@@ -106,12 +106,16 @@ def _column(cell: str, unit_above: str | None, layout: Layout, asked: bool) -> C
         raise ValueError(f"has the unknown column {instead_of([cell], OWN, 'it may have')}; or --columns says what each is, "
                          f"and '{LEFT_OUT}' leaves one out")
     unit = unit or unit_above or (SI[quantity] if asked else None)
-    if quantity in layout.scale:
-        return Column(quantity, layout.scale[quantity])
+    scale = layout.scale.get(quantity)
+    if scale is not None and quantity not in layout.sensitivity:
+        return Column(quantity, scale)
     if unit in VOLTS:
         if quantity not in layout.sensitivity:
             raise ValueError(f"has its {quantity} in {unit}; --sensitivity {quantity}=10mV/{SI[quantity]}, say, tells its sensor's")
-        return Column(quantity, VOLTS[unit] / layout.sensitivity[quantity])
+        return Column(quantity, (scale or 1) * VOLTS[unit] / layout.sensitivity[quantity])
+    if scale is not None:
+        raise ValueError(f"has its {quantity} in no voltage, but --sensitivity for it; --columns '{quantity}[V]' says that --scale {quantity}={scale:g} "
+                         f"is the V of one number, and without --sensitivity it is {SI[quantity]}")
     if unit is None:
         raise ValueError(f"has no unit for '{harmless(cell, 40)}'; write {cell} [{SI[quantity]}] into the file, or give --columns with units "
                          f"or --scale {quantity}=FACTOR")

@@ -73,6 +73,7 @@ def _header(file: OpenedFile, every: int) -> dict[str, Any]:
         "kind": file.kind,
         "every": every,
         "computed": file.computed,
+        "complete": file.is_complete,
         "source": str(attribute("source") or ""),
         "commit": str(attribute("git_commit") or ""),
         "page_version": version(),

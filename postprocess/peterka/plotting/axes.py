@@ -138,7 +138,7 @@ def operating_point(file: AtPoint) -> str:
 
 def notice_incomplete(ax: Axes, file: Growing) -> None:
     """Writes into the picture that the map is incomplete, and the computed share."""
-    if file.computed < 1:
+    if not file.is_complete:
         ax.text(
             0.03, 0.97, incomplete_text(file), transform=ax.transAxes, va="top", ha="left", weight="bold",
             bbox={"facecolor": "white", "edgecolor": "black", "linewidth": 0.6, "boxstyle": "square,pad=0.4"},
@@ -148,11 +148,13 @@ def notice_incomplete(ax: Axes, file: Growing) -> None:
 
 def so_far(file: Growing) -> str:
     """The same notice for a title."""
-    return f"{incomplete_text(file)}\n" if file.computed < 1 else ""
+    return f"{incomplete_text(file)}\n" if not file.is_complete else ""
 
 
 def incomplete_text(file: Growing) -> str:
     """The computed share, in words."""
+    if file.computed == 1:
+        return "incomplete: all cells computed, but not what follows"
     return f"incomplete: {np.floor(1000 * file.computed) / 10:.1f} % computed"
 
 

@@ -55,10 +55,13 @@ class Plane(InUnits, Protocol):
 
 
 class Growing(Protocol):
-    """Has a computed share, 0 to 1."""
+    """Has a computed share, 0 to 1, and is complete with whatever follows."""
 
     @property
     def computed(self) -> float: ...
+
+    @property
+    def is_complete(self) -> bool: ...
 
 
 class Image(Protocol):
