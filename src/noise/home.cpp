@@ -154,6 +154,7 @@ bool Home::takes_back_from(DisturbedMap& map, double distance) const {
     constexpr std::size_t fewest = 24;  // a basin with fingers is not seen by chance
     constexpr std::size_t fewest_of_point = 8;
     constexpr std::size_t most_points = 8;
+    constexpr double patience = 10;  // few states of a basin may take long, by a chaotic transient
     const std::size_t apart = (points_.size() + most_points - 1) / most_points;
     const std::size_t directions = std::max(fewest_of_point, fewest / points_.size());
     std::vector<State> elsewhere;
@@ -165,7 +166,7 @@ bool Home::takes_back_from(DisturbedMap& map, double distance) const {
                 2 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(directions);
             State state = point.state + distance * root * State(std::cos(angle), std::sin(angle));
             if (map.has_rigid_stop()) state[0] = std::min(state[0], 0.0);
-            if (!takes_back(map, state, elsewhere).value_or(false)) return false;
+            if (!takes_back(map, state, elsewhere, patience).value_or(false)) return false;
         }
     }
     return true;
@@ -187,14 +188,15 @@ bool Home::is_at_a_point(const State& state) const {
     });
 }
 
-std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector<State>& elsewhere) const {
+std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector<State>& elsewhere,
+                                     double times) const {
     constexpr double longest = 500;  // cycles, or more where small deviations shrink slowly
     constexpr double times_to_relax = 20;
     constexpr std::size_t periods = 16;  // up to which another motion is known by its return
     constexpr std::size_t most_known = 64;
     constexpr double attracted = 1e-5;                                     // relative
     const double same = std::min(1e-9, 1e-3 * spread_) / (1 + to_relax_);  // no slow approach is taken for one
-    const auto most = static_cast<std::size_t>(std::max(longest, times_to_relax * to_relax_));
+    const auto most = static_cast<std::size_t>(times * std::max(longest, times_to_relax * to_relax_));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {
         if (distance(state) <= radius_ || is_at_a_point(state)) return true;

@@ -37,9 +37,10 @@ class Home {
 
     // Whether the motion from a state at phase 0 returns to where it is at home if it is not disturbed; nothing
     // where the engine can't follow it. elsewhere: points of other settled motions, to which those found are
-    // added.
+    // added. It is waited for as many times the usual number of cycles.
     [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state,
-                                                 std::vector<scene::State<double>>& elsewhere) const;
+                                                 std::vector<scene::State<double>>& elsewhere,
+                                                 double times = 1) const;
 
   private:
     struct Point {

@@ -28,15 +28,17 @@ constexpr std::int64_t lives_to_follow_on = 10;  // in a quarter of the budget
 constexpr int changes_between_looks = 4;
 constexpr std::int64_t asking = 16;  // times the budget of cycles that lives are followed for may go into it
 constexpr std::size_t fewest_paths = 32;
-constexpr std::size_t most_paths = 10'000;
+constexpr std::size_t most_paths = 20'000;
 constexpr double times_first_paths = 60;  // that a splitting costs, roughly
-constexpr std::int64_t splitting = 4;     // times the budget that one may take
-constexpr std::int64_t most_splittings = 16;
-constexpr double known_well = 0.25;               // relative variance
-constexpr double told_at_most = 0.4;              // relative variance of a mean life
+constexpr std::int64_t splitting = 4;     // times the budget that it may take
+constexpr double known_well = 0.25;       // relative variance
+constexpr double told_at_most = 0.63;     // relative error of a mean life
+constexpr double times_to_forget =
+    2;  // that a small deviation takes to shrink by e, until departures are independent
+constexpr std::int64_t fewest_blocks = 4;
 constexpr double too_strong = 1e-5;               // with a smaller radius of home nothing is told
 constexpr std::int64_t quiet_as_disturbed = 4;    // cycles without changes that take as long as a disturbed one
-constexpr std::size_t most_departures = 100'000;  // kept to begin trials from
+constexpr std::size_t most_departures = 100'000;  // kept to begin paths from
 constexpr double rarest = 1e-15;                  // per cycle
 // With 95 % probability, the mean number of ends is less where so many are seen (Poisson).
 constexpr std::array<double, 3> most_of_few{3.00, 4.74, 6.30};
@@ -141,13 +143,19 @@ class Walk {
     std::vector<scene::State<double>> elsewhere_;
 };
 
+// A motion just after it was home.
+struct Departure {
+    Walker walker;
+    std::int64_t cycle;  // of those followed
+};
+
 // Motions that are followed until they leave, one after the other.
 struct Followed {
     std::int64_t cycles = 0;  // lived
     std::int64_t lives = 0;   // ended
     std::int64_t failed = 0;
     std::int64_t departures = 0;
-    std::vector<Walker> departed = {};  // just after they were home: the first of them
+    std::vector<Departure> departed = {};  // the first of them
     [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
     [[nodiscard]] Followed operator+(const Followed& other) const {
         return {.cycles = cycles + other.cycles, .lives = lives + other.lives};
@@ -171,7 +179,7 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
         }
         if ((now == Now::away || now == Now::left) && walker.away == 1) {
             ++followed.departures;
-            if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
+            if (followed.departed.size() < most_departures) followed.departed.push_back({walker, n});
         }
         if (now != Now::left && now != Now::failed) continue;
         if (now == Now::left)  // it left in the cycle after those
@@ -208,23 +216,24 @@ MeanLife life_of(const Followed& followed) {
 // before, and how it ended.
 struct Path {
     std::vector<std::pair<double, Walker>> records = {};
-    std::size_t departure = 0;  // with which it began
+    std::int64_t block = 0;  // of cycles, in which it departed
     bool left = false;
     bool failed = false;
     bool stopped = false;  // as the budget ended
 
     [[nodiscard]] double furthest() const { return left ? infinitely_far : records.back().first; }
-    // The state in which it first was beyond a distance, which it reached.
-    [[nodiscard]] Walker beyond(double distance) const {
-        const auto record =
-            std::ranges::find_if(records, [&](const auto& one) { return one.first > distance; });
-        return record == records.end() ? Walker{.motion = {}, .ask = 0, .left = true} : record->second;
+    // From the state on in which it first was beyond a distance, which it reached.
+    void begin_beyond(double distance) {
+        std::erase_if(records, [&](const auto& record) { return record.first <= distance; });
+    }
+    [[nodiscard]] Walker begin() const {
+        return records.empty() ? Walker{.motion = {}, .ask = 0, .left = true} : records.front().second;
     }
 };
 
 // Until it is home again, has left, or until the walk has computed `end` cycles.
-Path follow_path(Walk& walk, Walker walker, std::size_t departure, std::int64_t end) {
-    Path path{.departure = departure, .left = walker.left};
+Path follow_path(Walk& walk, Walker walker, std::int64_t block, std::int64_t end) {
+    Path path{.block = block, .left = walker.left};
     double furthest = not_looked;
     for (Now now = path.left ? Now::left : Now::away; now == Now::away;) {
         path.stopped = walk.cycles() >= end;
@@ -245,14 +254,13 @@ Path follow_path(Walk& walk, Walker walker, std::size_t departure, std::int64_t 
 
 struct Probability {
     double mean = 1;
-    double variance = 0;  // relative
+    double variance = infinitely_far;  // relative, with that of the rate of departures
 };
 
 // Of a departure from home.
 struct Split {
     std::optional<Probability> leaves;
     Probability gets_far;  // as far as is known well
-    bool stopped = false;  // as the budget ended
 };
 
 double median_furthest(const std::vector<Path>& paths) {
@@ -263,15 +271,18 @@ double median_furthest(const std::vector<Path>& paths) {
     return *middle;
 }
 
-// Relative, of the probability to get where some paths got: departures get there independently of each other,
-// so it is told by how many of those paths descend from the same (Lee & Whiteley 2018, Biometrika 105, 609).
-double variance_of(const std::vector<Path>& paths, const std::vector<std::size_t>& got_there) {
-    std::map<std::size_t, double> descendants;
-    for (const std::size_t n : got_there)
-        descendants[paths[n].departure] += 1 / static_cast<double>(got_there.size());
+// Relative, of the rate at which some paths got somewhere: by the shares in them that the blocks have in which
+// they departed, as blocks are independent of each other (lineages tell the variance of a splitting: Lee &
+// Whiteley 2018, Biometrika 105, 609).
+double variance_of(const std::vector<Path>& paths, const std::vector<std::size_t>& got_there,
+                   std::int64_t blocks) {
+    if (blocks < fewest_blocks) return infinitely_far;
+    std::map<std::int64_t, double> shares;
+    for (const std::size_t n : got_there) shares[paths[n].block] += 1 / static_cast<double>(got_there.size());
     double squares = 0;
-    for (const auto& [departure, share] : descendants) squares += share * share;
-    return std::max(squares - 1 / static_cast<double>(paths.size()), 0.0);
+    for (const auto& [block, share] : shares) squares += share * share;
+    const auto all = static_cast<double>(blocks);
+    return std::max(squares * all - 1, 0.0) / (all - 1);
 }
 
 // first: cycles that the first paths took.
@@ -281,20 +292,23 @@ std::size_t affordable_paths(std::int64_t first, std::int64_t budget) {
                       most_paths);
 }
 
-// From some of the departures. Nothing where a path fails.
-std::optional<Split> split(Walk& walk, const std::vector<Walker>& departed, double least_probability,
-                           std::int64_t budget) {
+// Adaptive multilevel splitting, as far as the budget reaches; nothing where a path fails. block_length: in
+// cycles.
+std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, double block_length,
+                           double least_probability, std::int64_t budget) {
+    const auto block_of = [&](const Departure& departure) {
+        return static_cast<std::int64_t>(static_cast<double>(departure.cycle) / block_length);
+    };
     const std::int64_t begin = walk.cycles();
     const std::int64_t end = begin + splitting * budget;
     Split found;
     std::vector<Path> paths;
     std::size_t count = fewest_paths;
     while (paths.size() < count) {
-        const std::size_t departure = walk.one_of(departed.size());
-        paths.push_back(follow_path(walk, departed[departure], departure, end));
+        const Departure& departure = departed[walk.one_of(departed.size())];
+        paths.push_back(follow_path(walk, departure.walker, block_of(departure), end));
         if (paths.back().failed) return std::nullopt;
-        found.stopped = paths.back().stopped;
-        if (found.stopped) return found;
+        if (paths.back().stopped) return found;
         if (paths.size() == fewest_paths) count = affordable_paths(walk.cycles() - begin, budget);
     }
     for (double probability = 1;;) {
@@ -306,51 +320,39 @@ std::optional<Split> split(Walk& walk, const std::vector<Walker>& departed, doub
         }
         if (beyond.empty()) return found;
         probability *= static_cast<double>(beyond.size()) / static_cast<double>(count);
-        const Probability gets_there{probability, variance_of(paths, beyond)};
+        const Probability gets_there{probability, variance_of(paths, beyond, block_of(departed.back()) + 1)};
         if (gets_there.variance <= known_well) found.gets_far = gets_there;
         if (leaves) found.leaves = gets_there;
         if (leaves || probability < least_probability) return found;
+        for (const std::size_t n : beyond) paths[n].begin_beyond(level);
         std::size_t next = walk.one_of(beyond.size());
         for (Path& path : paths) {
             if (path.furthest() > level) continue;
             const Path& parent = paths[beyond[next++ % beyond.size()]];
-            path = follow_path(walk, parent.beyond(level), parent.departure, end);
+            path = follow_path(walk, parent.begin(), parent.block, end);
             if (path.failed) return std::nullopt;
-            found.stopped = path.stopped;
-            if (found.stopped) return found;
+            if (path.stopped) return found;
         }
     }
 }
 
-// By departures from home and the probability that one leaves, from as many splittings as the budget has.
-std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, std::int64_t budget) {
-    const auto departures = static_cast<double>(first.departures);
-    const double departures_per_cycle = departures / static_cast<double>(first.cycles);
-    const std::int64_t before = walk.cycles();
-    std::int64_t runs = 0;
-    double sum = 0;
-    double variance = 0;  // of the sum
-    double far = 1;
-    for (std::int64_t most = 1; runs < most; ++runs) {
-        const auto part = split(walk, first.departed, rarest / departures_per_cycle, budget);
-        if (!part) return std::nullopt;
-        const std::int64_t cycles = std::max<std::int64_t>(walk.cycles() - before, 1);
-        if (runs == 0) {
-            most = std::clamp<std::int64_t>(budget / cycles, 1, most_splittings);
-            far = part->gets_far.mean * (1 + 2 * std::sqrt(part->gets_far.variance + 1 / departures));
-        }
-        if (part->stopped) break;
-        if (!part->leaves) continue;
-        sum += part->leaves->mean;
-        variance += part->leaves->mean * part->leaves->mean * part->leaves->variance;
-    }
-    const double relative = variance / (sum * sum) + 1 / departures;
-    if (relative <= told_at_most) {
-        const double mean = static_cast<double>(runs) / (sum * departures_per_cycle);
-        return MeanLife{.mean = mean, .error = mean * std::sqrt(relative)};
-    }
+// By departures from home and the probability that one leaves.
+std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, double block_length,
+                                          std::int64_t budget) {
+    const double departures_per_cycle =
+        static_cast<double>(first.departures) / static_cast<double>(first.cycles);
+    const auto found = split(walk, first.departed, block_length, rarest / departures_per_cycle, budget);
+    if (!found) return std::nullopt;
     MeanLife life = life_of(first);
-    if (std::isfinite(life.least)) life.least = std::max(1 / (departures_per_cycle * far), life.least);
+    const double followed = std::isfinite(life.mean) ? life.error / life.mean : told_at_most;
+    if (found->leaves && std::sqrt(found->leaves->variance) <= std::min(followed, told_at_most)) {
+        const double mean = 1 / (departures_per_cycle * found->leaves->mean);
+        return MeanLife{.mean = mean, .error = mean * std::sqrt(found->leaves->variance)};
+    }
+    if (first.lives == 0 && found->gets_far.variance <= known_well) {
+        const double most = found->gets_far.mean * (1 + 2 * std::sqrt(found->gets_far.variance));
+        life.least = std::max(1 / (departures_per_cycle * most), life.least);
+    }
     return life;
 }
 
@@ -377,7 +379,8 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first);
     const std::int64_t rest = budget - budget / 4;
-    if (first.lives < lives_to_follow_on) return life_by_splitting(walk, first, rest);
+    if (first.lives < lives_to_follow_on)
+        return life_by_splitting(walk, first, std::max(times_to_forget * home.to_relax(), 1.0), rest);
     const Followed more = follow(walk, walker, rest, std::numeric_limits<std::int64_t>::max(), asking * rest);
     if (!more.is_sound()) return std::nullopt;
     return life_of(first + more);

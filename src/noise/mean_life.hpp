@@ -13,14 +13,15 @@
 // home is multiplied by the probability that a departure leaves, by adaptive multilevel splitting (Cerou &
 // Guyader 2007, Stoch. Anal. Appl. 25, 417): of paths from departures that half which comes less far from home
 // is ended, again and again, and others are followed from where the rest got further. Between the ends of
-// cycles, the distance is that at the next end without further disturbances. How many departures those that
-// leave descend from tells the standard error.
+// cycles, the distance is that at the next end without further disturbances. The standard error follows from
+// how many stretches of time, long enough to be independent, the departures are from of which those that leave
+// descend.
 //
-// Where no path gets beyond a level, as a motion that forgets within a cycle may do, where the budget ends or
-// the error were above 63 %, the lives that were followed count. Fewer than three ends tell a bound alone (95
-// %, Poisson): it is those seen by chance of which a mean would be told, and it would be too short. Of none, it
-// is known, too, how rarely paths get as far as is known within 50 %: the motion lasts at least that long,
-// roughly.
+// Where no path gets beyond a level, as a motion that forgets within a cycle may do, where the budget ends, or
+// where the error were above 63 % or that of three or more lives that were followed, these count. Fewer than
+// three tell a bound alone (95 %, Poisson): it is those seen by chance of which a mean would be told, and it
+// would be too short. Of none, it is known, too, how rarely paths get as far as is known within 50 %: the
+// motion lasts at least that long, roughly.
 #pragma once
 
 #include <cstdint>

@@ -218,7 +218,7 @@ regime::Engine engine_of_lives(const job::Job& job) {
     return omits ? regime::Engine::exact : regime::EngineByReach(rig, job.solver, reach).settings().engine;
 }
 
-// Processor time of a cell's life. Per disturbed cycle with 16 changes, in trials and around them, as measured
+// Processor time of a cell's life. Per disturbed cycle with 16 changes, in paths and around them, as measured
 // on the paper's rig of 170 mm: 2 to 3 us in closed form, 30 us with its cubic springs, 1 ms by
 // integrators; and for the extent of home some 20 cycles per cycle that the free motion takes to relax.
 double seconds_of_life(const scene::Oscillator<double>& oscillator, const job::Noise& noise,

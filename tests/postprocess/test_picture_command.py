@@ -65,7 +65,7 @@ def test_a_file_of_which_only_what_follows_the_cells_is_missing_says_so(tmp_path
     unfinish(path)
     outcome = draw(path)
     assert outcome.code == 0
-    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: all cells computed, but not what follows"
+    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: all but what follows the last cell"
 
 
 def test_an_incomplete_file_is_drawn_with_a_notice(tmp_path, draw):
@@ -119,3 +119,11 @@ def test_nothing_half_written_is_left(tmp_path, draw, monkeypatch):
     outcome = draw(write_map(tmp_path / "rig.h5"))
     assert (outcome.code, outcome.pictures) == (3, [])
     assert "No space left" in outcome.stderr
+
+
+def test_a_part_of_a_file_that_is_not_finished_says_so(tmp_path, draw):
+    path = write_map(tmp_path / "a.h5")
+    unfinish(path)
+    outcome = draw(path, "--zoom", "1,3,0,3", "--units", "ratio")
+    assert outcome.code == 0
+    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: all but what follows the last cell"

@@ -11,6 +11,7 @@ import xarray
 from conftest import POSTPROCESS
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from peterka.pictures import open_file
 from picture_samples import write_map
 from sealing import SealedFile, unfinish
 from test_picture_real_file import MAP, RIG
@@ -67,7 +68,9 @@ def test_a_file_that_a_run_has_not_finished_says_so(tmp_path):
     whole = write_map(tmp_path / "b.h5")
     unfinish(whole)
     with pytest.warns(UserWarning, match="the run isn't finished"):
-        peterka.open(whole)
+        data = peterka.open(whole)
+    with open_file(data.isel(frequency_ratio=slice(2))) as part:
+        assert part.computed == 1 and not part.is_complete
 
 
 def test_all_faults_of_a_job_are_one_exception():

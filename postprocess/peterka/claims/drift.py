@@ -65,6 +65,8 @@ def claims(folder: Folder) -> list[Claim]:
 def kept_of(path: Path, hertz: float, starts: str) -> Kept:
     """The Kept of a map with [starts], over ANY of them or for the JOB's own start alone."""
     with PeterkaFile(path) as file:
+        if not file.is_complete:
+            raise file.refusal("is not complete; finish it with the command that began it")
         found = admitted(file, starts, "peak_force")
         metres = file.positive("cart_amplitude_m")
         if not file.newtons or not metres:

@@ -130,9 +130,9 @@ class Plane:
         return self._nearest(self.rows, value, "gap/A0")
 
     def _nearest(self, values: Reals, value: float, unit: str) -> int:
-        step = (values[-1] - values[0]) / max(len(values) - 1, 1)
+        step = np.ptp(values) / max(len(values) - 1, 1)
         nearest = int(np.argmin(np.abs(values - value)))
-        if abs(values[nearest] - value) > step:
+        if len(values) > 1 and abs(values[nearest] - value) > step:
             raise PeterkaFileError(f"{self.path} reaches from {values[0]:.4g} to {values[-1]:.4g} {unit}; a map of this name is to reach {value:.4g}")
         return nearest
 

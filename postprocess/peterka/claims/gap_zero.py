@@ -63,7 +63,8 @@ def in_words(plane: Plane, found: tuple[float, float]) -> str:
 
 
 def force_at(plane: Plane, frequency_hz: float, row: int = 0) -> float:
-    """Force [N] in this row, interpolated in frequency."""
+    """Force [N] in this row, interpolated in frequency. Raises PeterkaFileError where the map doesn't reach it."""
+    plane.column_at_hz(frequency_hz)
     return float(np.interp(frequency_hz, plane.frequency_hz, plane.force_n[row]))
 
 

@@ -159,7 +159,7 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> int:
                 tell(line)
         elif arguments.curves:
             curves = read_lines(arguments.curves, file)
-        tell_if_unfinished(file)
+        tell_if_unfinished(whole)
         pictures = pictures_of(file, arguments.after, measured, borders, unstable, curves, arguments.probability)
         for name, draw in chosen(file, pictures, arguments.only, bool(arguments.zoom)).items():
             try:

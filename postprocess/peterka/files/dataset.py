@@ -15,6 +15,7 @@ from xarray.core import indexing
 
 from .checked_hdf5 import CheckedFile
 from .coordinates import NAMES
+from .dataset_content import UNFINISHED
 
 OF_THE_FILE = ("tiles/", "summary/")  # checksums and what is finished: verified when it is opened
 
@@ -33,7 +34,8 @@ class _Stored(BackendArray):
 
 
 def dataset_of(data: CheckedFile) -> xarray.Dataset:
-    """All numbers of a checked file, but those that guard it: OF_THE_FILE. It stays open as long as the dataset is used."""
+    """All numbers of a checked file, but those that guard it: OF_THE_FILE. It stays open as long as the dataset is used. That of an
+    unfinished file has one more attribute, UNFINISHED."""
     variables = {}
     for name, dataset in data.numbers().items():
         if name.startswith(OF_THE_FILE):
@@ -44,7 +46,8 @@ def dataset_of(data: CheckedFile) -> xarray.Dataset:
     beside = {name for name, variable in variables.items() if name in NAMES | {"direction"} and name not in scales
               and variable.ndim == 1}
     coordinates = {name: variables.pop(name) for name in scales | beside}
-    result = xarray.Dataset(variables, coordinates, data.attributes("/"))
+    attributes = data.attributes("/") | ({} if data.is_finished else {UNFINISHED: 1})
+    result = xarray.Dataset(variables, coordinates, attributes)
     result.encoding["source"] = str(data.path)
     result.set_close(data.close)
     return result

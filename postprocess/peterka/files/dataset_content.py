@@ -16,15 +16,22 @@ if TYPE_CHECKING:
     import xarray
 
 
+UNFINISHED = "unfinished"  # the attribute, 1, of a dataset of a file that a run has not finished
+
+
 class DatasetContent:
     """A dataset in place of a CheckedFile; the readers check it as they check a file."""
 
     may_be_part = True  # of its file, by sel or isel
-    is_finished = True  # else it was told when the file was opened
 
     def __init__(self, dataset: xarray.Dataset) -> None:
         self._dataset = dataset
         self.path = Path(dataset.encoding.get("source") or f"{dataset.attrs.get('title') or 'dataset'}.h5")
+
+    @property
+    def is_finished(self) -> bool:
+        """As CheckedFile.is_finished."""
+        return UNFINISHED not in self._dataset.attrs
 
     def close(self) -> None:
         """Does nothing: the dataset belongs to the caller."""

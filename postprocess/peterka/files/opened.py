@@ -69,7 +69,7 @@ class OpenedFile:
     @property
     def is_complete(self) -> bool:
         """Whether all is computed, also what follows when all cells are: audits, motions found next door, what ends in what."""
-        return self.computed == 1 and self.data.is_finished
+        return self.data.is_finished and self.computed == 1
 
     @cached_property
     def title(self) -> str:

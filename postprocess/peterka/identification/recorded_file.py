@@ -60,7 +60,9 @@ def _columns(table: NumberTable | Sheet, layout: Layout) -> tuple[list[Column | 
         if table.rate and layout.columns is not None and (named := [name for name in layout.columns if name != "-"]):
             unscaled = [name for name in named if name.split("[")[0].strip() not in layout.scale]
             if unscaled:
-                raise ValueError(f"has shares of full scale; --scale {unscaled[0]}=FACTOR says what full scale is in SI, or in V with --sensitivity and --columns '{unscaled[0]}[V]'")
+                name = unscaled[0].split("[")[0].strip()
+                raise ValueError(f"has shares of full scale; --scale {name}=FACTOR says what full scale is in SI, or in V with --sensitivity and "
+                                 f"--columns '{name}[V]'")
     else:
         names, width, rate = table.heading.names, table.heading.width, layout.rate
     columns = columns_of(names, () if isinstance(table, Sheet) else table.heading.units, width, layout)

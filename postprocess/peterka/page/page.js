@@ -156,10 +156,8 @@ function bothUnits({ name, symbol, factor, unit }, value, count = 5) {
 }
 
 function factsWords(size) {
-  const share = `${(Math.floor(1000 * content.computed) / 10).toFixed(1)} % computed`;
-  const computed = content.complete ? "" : content.computed < 1 ? share : "all cells computed, but not what follows";
   const every = content.every > 1 ? `each ${content.every}th row and column` : "";
   const force = content.layers.find((layer) => layer.name === "peak_force_ratio")?.plane.digits;
   const short = force ? `force to ${force} digits` : "";
-  return [content.name, size, computed, every, short, content.source, content.commit].filter(Boolean).join(" · ");
+  return [content.name, size, content.incomplete, every, short, content.source, content.commit].filter(Boolean).join(" · ");
 }

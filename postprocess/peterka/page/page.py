@@ -12,7 +12,7 @@ from typing import Any
 
 from ..files.opened import OpenedFile
 from ..plotting import classes, signed
-from ..plotting.axes import si_scale
+from ..plotting.axes import incomplete_text, si_scale
 from ..plotting.coordinates import IN_MILLIMETRES, label
 from ..maps import basin_map, field_map
 from ..maps.curves_file import CurvesFile
@@ -72,8 +72,7 @@ def _header(file: OpenedFile, every: int) -> dict[str, Any]:
         "name": file.path.name,
         "kind": file.kind,
         "every": every,
-        "computed": file.computed,
-        "complete": file.is_complete,
+        "incomplete": incomplete_text(file),
         "source": str(attribute("source") or ""),
         "commit": str(attribute("git_commit") or ""),
         "page_version": version(),

@@ -148,13 +148,15 @@ def notice_incomplete(ax: Axes, file: Growing) -> None:
 
 def so_far(file: Growing) -> str:
     """The same notice for a title."""
-    return f"{incomplete_text(file)}\n" if not file.is_complete else ""
+    return "" if file.is_complete else f"{incomplete_text(file)}\n"
 
 
 def incomplete_text(file: Growing) -> str:
-    """The computed share, in words."""
+    """The computed share, in words; empty of a complete file."""
+    if file.is_complete:
+        return ""
     if file.computed == 1:
-        return "incomplete: all cells computed, but not what follows"
+        return "incomplete: all but what follows the last cell"
     return f"incomplete: {np.floor(1000 * file.computed) / 10:.1f} % computed"
 
 

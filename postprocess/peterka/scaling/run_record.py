@@ -31,6 +31,8 @@ class RunRecord:
 def read_record(path: Path) -> RunRecord:
     """The RunRecord of the file at this path; PeterkaFileError where it has none."""
     with PeterkaFile(path) as file:
+        if not file.is_complete:
+            raise file.refusal("is not complete; a finished map is needed")
         rows, columns = tiles_of(file.shape)
         file.data.dataset("run/tile_seconds", (rows * columns,), REAL)
         file.data.dataset("run/ranks", (), INTEGER)
