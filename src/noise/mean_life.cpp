@@ -16,13 +16,13 @@ namespace peterka::noise {
 
 namespace {
 
-constexpr double least_patience = 64;  // cycles away from home before it is asked whether it returns
+constexpr double least_patience = 64;  // cycles away from home from one question whether it returns to the next
 constexpr double most_patience = 2000;
-constexpr double times_to_relax = 3;    // that it is away before, if that is longer
+constexpr double times_to_relax = 3;    // in which it relaxes, if that is longer
 constexpr double of_first_exit = 0.25;  // at most, of the mean time until it would first not return
-constexpr std::int64_t first_exits = 100;
-constexpr std::int64_t budget_of_exits = 32;  // a part of the budget, to be followed for
-constexpr std::int64_t asking_of_exits = 2;   // times the budget, that may go into asking
+constexpr std::int64_t first_exits = 400;
+constexpr std::int64_t budget_of_exits = 8;  // a part of the budget, to be followed for
+constexpr std::int64_t asking_of_exits = 2;  // times the budget, that may go into asking
 constexpr std::int64_t enough_lives = 100;
 constexpr std::int64_t lives_to_follow_on = 10;  // in a quarter of the budget
 constexpr int changes_between_looks = 4;
@@ -41,14 +41,13 @@ constexpr std::int64_t quiet_as_disturbed = 4;    // cycles without changes that
 constexpr std::size_t most_departures = 100'000;  // kept to begin paths from
 constexpr double rarest = 1e-15;                  // per cycle
 // With 95 % probability, the mean number of ends is less where so many are seen (Poisson).
-constexpr std::array<double, 3> most_of_few{3.00, 4.74, 6.30};
+constexpr std::array<double, 4> most_of_few{3.00, 4.74, 6.30, 7.75};
 constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 
 // A disturbed motion.
 struct Walker {
     DisturbedState motion;
     std::int64_t away = 0;   // cycles since it was home
-    std::int64_t ask;        // cycles away from home after which it is asked whether it returns
     std::int64_t known = 0;  // as it was home, or seen to return, last
     bool left = false;
 };
@@ -66,14 +65,19 @@ class Walk {
     Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
         : map_(map), home_(home), random_(seed), quiet_before_(map.quiet_cycles()) {}
 
-    [[nodiscard]] Walker begin() { return {.motion = {home_.first_point()}, .ask = patience()}; }
+    [[nodiscard]] Walker begin() { return {.motion = {home_.first_point()}}; }
     // Computed so far, in disturbed cycles.
     [[nodiscard]] std::int64_t cycles() const {
         return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
     }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
-    // Mean number of cycles away from home before it is asked whether it returns.
-    void set_patience(double cycles) { patience_ = cycles; }
+    // Mean number of cycles away from home from one question whether it returns to the next, and how uncertain
+    // that makes a mean life (relative variance).
+    void set_patience(double cycles, double variance) {
+        patience_ = cycles;
+        variance_ = variance;
+    }
+    [[nodiscard]] double variance() const { return variance_; }
 
     // How far from home it would be at the next phase 0 without more disturbances, if it is worth
     // looking; NaN where the engine fails.
@@ -92,10 +96,10 @@ class Walk {
         if (!walker.motion.at_phase_0()) return walker.away == 0 ? Now::home : Now::away;
         if (home_.distance(walker.motion.state) <= home_.radius()) {
             walker.away = walker.known = 0;
-            walker.ask = patience();
             return Now::home;
         }
-        if (++walker.away < walker.ask) return Now::away;
+        ++walker.away;
+        if (random_.uniform() * patience_ >= 1) return Now::away;
         const auto returns = home_.takes_back(map_, walker.motion.state, elsewhere_);
         if (!returns) return Now::failed;
         if (!*returns) {
@@ -103,7 +107,6 @@ class Walk {
             return Now::left;
         }
         walker.known = walker.away;
-        walker.ask += patience();
         return Now::away;
     }
     // Whether it is home, or has just been seen to return.
@@ -128,16 +131,11 @@ class Walk {
     }
 
   private:
-    // One of the two nearest numbers.
-    [[nodiscard]] std::int64_t patience() {
-        const double whole = std::floor(patience_);
-        return static_cast<std::int64_t>(whole) + (random_.uniform() < patience_ - whole ? 1 : 0);
-    }
-
     DisturbedMap& map_;
     const Home& home_;
     RandomNumbers random_;
     double patience_ = 1;
+    double variance_ = 0;
     std::int64_t quiet_before_;
     std::int64_t changes_ = 0;
     std::vector<scene::State<double>> elsewhere_;
@@ -200,16 +198,19 @@ void find_patience(Walk& walk, const Home& home, std::int64_t budget) {
     // as if the next one came now: few may be seen
     const double mean = static_cast<double>(exits.cycles) / static_cast<double>(exits.lives + 1);
     const double longest = longest_patience(home);
-    walk.set_patience(none ? longest : std::clamp(of_first_exit * mean, 1.0, longest));
+    const double patience = none ? longest : of_first_exit * mean;
+    const bool is_uncertain = patience > 1 && patience < longest;
+    walk.set_patience(std::clamp(patience, 1.0, longest),
+                      is_uncertain ? 1 / static_cast<double>(exits.lives + 1) : 0.0);
 }
 
-// Lives end at random, so that their number is as uncertain as its square root; one or two tell a bound alone.
-MeanLife life_of(const Followed& followed) {
+// Lives end at random, so that their number is as uncertain as its square root; a few tell a bound alone.
+MeanLife life_of(const Followed& followed, const Walk& walk) {
     const auto cycles = static_cast<double>(followed.cycles);
     if (followed.lives < std::ssize(most_of_few))
         return {.least = cycles / most_of_few[static_cast<std::size_t>(followed.lives)]};
     const double mean = cycles / static_cast<double>(followed.lives);
-    return {.mean = mean, .error = mean / std::sqrt(static_cast<double>(followed.lives))};
+    return {.mean = mean, .error = mean * std::sqrt(1 / static_cast<double>(followed.lives) + walk.variance())};
 }
 
 // A motion from where it is away from home, or further, on: the states in which it was further than ever
@@ -221,13 +222,16 @@ struct Path {
     bool failed = false;
     bool stopped = false;  // as the budget ended
 
-    [[nodiscard]] double furthest() const { return left ? infinitely_far : records.back().first; }
+    [[nodiscard]] double furthest() const {
+        if (left) return infinitely_far;
+        return records.back().first;
+    }
     // From the state on in which it first was beyond a distance, which it reached.
     void begin_beyond(double distance) {
         std::erase_if(records, [&](const auto& record) { return record.first <= distance; });
     }
     [[nodiscard]] Walker begin() const {
-        return records.empty() ? Walker{.motion = {}, .ask = 0, .left = true} : records.front().second;
+        return records.empty() ? Walker{.motion = {}, .left = true} : records.front().second;
     }
 };
 
@@ -264,8 +268,8 @@ struct Split {
 };
 
 double median_furthest(const std::vector<Path>& paths) {
-    std::vector<double> furthest;
-    for (const Path& path : paths) furthest.push_back(path.furthest());
+    std::vector<double> furthest(paths.size());
+    std::ranges::transform(paths, furthest.begin(), &Path::furthest);
     const auto middle = furthest.begin() + std::ssize(furthest) / 2 - 1;
     std::ranges::nth_element(furthest, middle);
     return *middle;
@@ -311,6 +315,7 @@ std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, d
         if (paths.back().stopped) return found;
         if (paths.size() == fewest_paths) count = affordable_paths(walk.cycles() - begin, budget);
     }
+    double of_levels = 0;  // relative variance, were paths independent
     for (double probability = 1;;) {
         const double level = median_furthest(paths);
         const bool leaves = level == infinitely_far;
@@ -320,7 +325,9 @@ std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, d
         }
         if (beyond.empty()) return found;
         probability *= static_cast<double>(beyond.size()) / static_cast<double>(count);
-        const Probability gets_there{probability, variance_of(paths, beyond, block_of(departed.back()) + 1)};
+        of_levels += 1 / static_cast<double>(beyond.size()) - 1 / static_cast<double>(count);
+        const Probability gets_there{probability,
+                                     of_levels + variance_of(paths, beyond, block_of(departed.back()) + 1)};
         if (gets_there.variance <= known_well) found.gets_far = gets_there;
         if (leaves) found.leaves = gets_there;
         if (leaves || probability < least_probability) return found;
@@ -343,11 +350,12 @@ std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, dou
         static_cast<double>(first.departures) / static_cast<double>(first.cycles);
     const auto found = split(walk, first.departed, block_length, rarest / departures_per_cycle, budget);
     if (!found) return std::nullopt;
-    MeanLife life = life_of(first);
+    MeanLife life = life_of(first, walk);
     const double followed = std::isfinite(life.mean) ? life.error / life.mean : told_at_most;
-    if (found->leaves && std::sqrt(found->leaves->variance) <= std::min(followed, told_at_most)) {
+    const double error = found->leaves ? std::sqrt(found->leaves->variance + walk.variance()) : infinitely_far;
+    if (error <= std::min(followed, told_at_most)) {
         const double mean = 1 / (departures_per_cycle * found->leaves->mean);
-        return MeanLife{.mean = mean, .error = mean * std::sqrt(found->leaves->variance)};
+        return MeanLife{.mean = mean, .error = mean * error};
     }
     if (first.lives == 0 && found->gets_far.variance <= known_well) {
         const double most = found->gets_far.mean * (1 + 2 * std::sqrt(found->gets_far.variance));
@@ -366,7 +374,7 @@ std::optional<MeanLife> mean_life_followed(DisturbedMap& map, const Home& home, 
     const Followed followed =
         follow(walk, walker, budget, std::numeric_limits<std::int64_t>::max(), asking * budget);
     if (!followed.is_sound()) return std::nullopt;
-    return life_of(followed);
+    return life_of(followed, walk);
 }
 
 std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int64_t budget,
@@ -377,13 +385,13 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     Walker walker = walk.begin();
     const Followed first = follow(walk, walker, budget / 4, enough_lives, asking * budget / 4);
     if (!first.is_sound()) return std::nullopt;
-    if (first.lives == enough_lives || first.departures == 0) return life_of(first);
+    if (first.lives == enough_lives || first.departures == 0) return life_of(first, walk);
     const std::int64_t rest = budget - budget / 4;
     if (first.lives < lives_to_follow_on)
         return life_by_splitting(walk, first, std::max(times_to_forget * home.to_relax(), 1.0), rest);
     const Followed more = follow(walk, walker, rest, std::numeric_limits<std::int64_t>::max(), asking * rest);
     if (!more.is_sound()) return std::nullopt;
-    return life_of(first + more);
+    return life_of(first + more, walk);
 }
 
 }  // namespace peterka::noise

@@ -1,13 +1,15 @@
 // How long a settled motion lasts that is disturbed at random.
 //
 // It is home where, at forcing phase 0, it is about as near to its orbit as disturbances keep it
-// (noise/home.hpp). It has left once it has been away for 64 cycles, or three times its relaxation time, at
-// most 2000, and would not return within 500 cycles, or twenty times its relaxation time, without disturbances.
-// Its mean life is the mean time until then, counted up to when, since it was last home or seen to return, it
-// would no longer have returned; excursions from which disturbances brought it home don't count. Strong
-// disturbances bring it back by chance, and the longer this is waited for, the more often: so it must be away
-// for at most a quarter of the mean time until it would first not return (the first exit from its basin at
-// phase 0, of which a few are followed before), or for no longer than a cycle.
+// (noise/home.hpp). While it is away, it is asked at random, once in 64 cycles on average, or three times its
+// relaxation time, at most 2000, whether it would return within 500 cycles, or twenty times its relaxation
+// time, without disturbances. If not, it has left. Its mean life is the mean time until then, counted up to
+// when, since it was last home or seen to return, it would no longer have returned; excursions from which
+// disturbances brought it home before it was asked don't count. Strong disturbances bring it back by chance,
+// and the longer this is waited for, the more often: so it is asked on average after at most a quarter of the
+// mean time until it would first not return (the first exit from its basin at phase 0, of which up to 400 are
+// followed before), or each cycle. Since it is asked at random, lives grow at most in proportion to that time,
+// whose error theirs has.
 //
 // Where it leaves often, many lives are followed. Where it leaves rarely, the rate at which it departs from
 // home is multiplied by the probability that a departure leaves, by adaptive multilevel splitting (Cerou &
@@ -18,8 +20,8 @@
 // descend.
 //
 // Where no path gets beyond a level, as a motion that forgets within a cycle may do, where the budget ends, or
-// where the error were above 63 % or that of three or more lives that were followed, these count. Fewer than
-// three tell a bound alone (95 %, Poisson): it is those seen by chance of which a mean would be told, and it
+// where the error were above 63 % or that of four or more lives that were followed, these count. Fewer than
+// four tell a bound alone (95 %, Poisson): it is those seen by chance of which a mean would be told, and it
 // would be too short. Of none, it is known, too, how rarely paths get as far as is known within 50 %: the
 // motion lasts at least that long, roughly.
 #pragma once
