@@ -7,7 +7,7 @@
 // when, since it was last home or seen to return, it would no longer have returned; excursions from which
 // disturbances brought it home before it was asked don't count. Strong disturbances bring it back by chance,
 // and the longer this is waited for, the more often: so it is asked on average after at most a quarter of the
-// mean time until it would first not return (the first exit from its basin at phase 0, of which up to 400 are
+// mean time until it would first not return (the first exit from its basin at phase 0, of which up to 200 are
 // followed before), or each cycle. Since it is asked at random, lives grow at most in proportion to that time,
 // whose error theirs has.
 //

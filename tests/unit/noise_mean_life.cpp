@@ -85,8 +85,8 @@ TEST(DisturbedLife, OneEndSeenByChanceTellsABoundAlone) {
 TEST(DisturbedLife, ShortLivesAreFollowedOneByOne) {
     const Lives lives = lives_of(testing::one_in_three(), white(0.03), 400'000, 30'000);
     expect_alike(lives);
-    EXPECT_NEAR(lives.split->error / lives.split->mean, std::sqrt(1 / 100.0 + 1 / 401.0),
-                1e-9);  // and 400 exits
+    EXPECT_NEAR(lives.split->error / lives.split->mean, std::sqrt(1 / 100.0 + 1 / 201.0),
+                1e-9);  // and 200 exits
 }
 
 TEST(DisturbedLife, DisturbancesBeyondTheBasinEndALifeAtOnce) {
