@@ -76,7 +76,7 @@ def test_sweeps_tell_them_too(starts, tmp_path):
 
 
 def test_stronger_noise_makes_lives_shorter(tmp_path):
-    lives = []
+    lives, errors = [], []
     for speed in (0.1, 0.3):
         noise = NOISE.replace("0.1", str(speed)).replace("2000", "5000")
         job = text(noise + "[starts]\ncount = 16\n").replace("from = 1.0\nto = 3.0\npoints = 3", "from = 2.0\nto = 2.0\npoints = 1")
@@ -84,11 +84,13 @@ def test_stronger_noise_makes_lives_shorter(tmp_path):
         folder.mkdir()
         cells, _ = run(folder, job)
         lives.append(np.where(np.isin(cells["attractor_regime"], SETTLED), cells["mean_life_s"], np.nan))
+        errors.append(cells["mean_life_error_s"])
     ended = [np.isfinite(of_one) for of_one in lives]
     assert ended[0].any()
     assert np.all(ended[1][ended[0]])
     weak, strong = (of_one[ended[0]] for of_one in lives)
-    assert np.all(strong <= weak)  # one cycle is the shortest
+    error = np.hypot(*(of_one[ended[0]] for of_one in errors))
+    assert np.all(strong <= weak + 3 * error)  # the shortest are of a cycle or two, and hardly differ
     assert np.count_nonzero(strong < weak) > weak.size / 2
 
 
