@@ -37,7 +37,7 @@ class Home {
 
     // Whether the motion from a state at phase 0 returns to where it is at home if it is not disturbed; nothing
     // where the engine can't follow it. elsewhere: points of other settled motions, to which those found are
-    // added. It is waited for as many times the usual number of cycles.
+    // added. times: how many times 500 cycles, or twenty times to_relax(), it is waited for.
     [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state,
                                                  std::vector<scene::State<double>>& elsewhere,
                                                  double times = 1) const;

@@ -22,20 +22,16 @@ constexpr double times_to_relax = 3;    // in which it relaxes, if that is longe
 constexpr double of_first_exit = 0.25;  // at most, of the mean time until it would first not return
 constexpr std::int64_t first_exits = 200;
 constexpr std::int64_t budget_of_exits = 8;  // a part of the budget, to be followed for
-constexpr std::int64_t asking_of_exits = 1;  // times the budget, that may go into asking
 constexpr std::int64_t enough_lives = 100;
 constexpr std::int64_t lives_to_follow_on = 10;  // in a quarter of the budget
 constexpr int changes_between_looks = 4;
 constexpr std::int64_t asking = 16;  // times the budget of cycles that lives are followed for may go into it
 constexpr std::size_t fewest_paths = 32;
 constexpr std::size_t most_paths = 20'000;
-constexpr double times_first_paths = 60;  // that a splitting costs, roughly
-constexpr std::int64_t splitting = 2;     // times the budget that it may take
-constexpr double known_well = 0.25;       // relative variance
-constexpr double told_at_most = 0.63;     // relative error of a mean life
-constexpr double times_to_forget =
-    2;  // that a small deviation takes to shrink by e, until departures are independent
-constexpr std::int64_t fewest_blocks = 4;
+constexpr double times_first_paths = 60;          // that a splitting costs, roughly
+constexpr std::int64_t splitting = 2;             // times the budget that it may take
+constexpr double known_well = 0.25;               // relative variance
+constexpr double told_at_most = 0.63;             // relative error of a mean life
 constexpr double too_strong = 1e-5;               // with a smaller radius of home nothing is told
 constexpr std::int64_t quiet_as_disturbed = 4;    // cycles without changes that take as long as a disturbed one
 constexpr std::size_t most_departures = 100'000;  // kept to begin paths from
@@ -141,19 +137,13 @@ class Walk {
     std::vector<scene::State<double>> elsewhere_;
 };
 
-// A motion just after it was home.
-struct Departure {
-    Walker walker;
-    std::int64_t cycle;  // of those followed
-};
-
 // Motions that are followed until they leave, one after the other.
 struct Followed {
     std::int64_t cycles = 0;  // lived
     std::int64_t lives = 0;   // ended
     std::int64_t failed = 0;
     std::int64_t departures = 0;
-    std::vector<Departure> departed = {};  // the first of them
+    std::vector<Walker> departed = {};  // just after they were home: the first of them
     [[nodiscard]] bool is_sound() const { return failed <= lives / 100; }
     [[nodiscard]] Followed operator+(const Followed& other) const {
         return {.cycles = cycles + other.cycles, .lives = lives + other.lives};
@@ -177,7 +167,7 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
         }
         if ((now == Now::away || now == Now::left) && walker.away == 1) {
             ++followed.departures;
-            if (followed.departed.size() < most_departures) followed.departed.push_back({walker, n});
+            if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
         }
         if (now != Now::left && now != Now::failed) continue;
         if (now == Now::left)  // it left in the cycle after those
@@ -192,8 +182,7 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
 // Sets the walk's patience by how soon a motion would first not return.
 void find_patience(Walk& walk, const Home& home, std::int64_t budget) {
     Walker walker = walk.begin();
-    const Followed exits =
-        follow(walk, walker, budget / budget_of_exits, first_exits, asking_of_exits * budget);
+    const Followed exits = follow(walk, walker, budget / budget_of_exits, first_exits, budget);
     const bool none = exits.lives == 0 && exits.cycles == budget / budget_of_exits;
     // as if the next one came now: few may be seen
     const double mean = static_cast<double>(exits.cycles) / static_cast<double>(exits.lives + 1);
@@ -217,7 +206,7 @@ MeanLife life_of(const Followed& followed, const Walk& walk) {
 // before, and how it ended.
 struct Path {
     std::vector<std::pair<double, Walker>> records = {};
-    std::int64_t block = 0;  // of cycles, in which it departed
+    std::size_t departure = 0;  // with which it began
     bool left = false;
     bool failed = false;
     bool stopped = false;  // as the budget ended
@@ -236,8 +225,8 @@ struct Path {
 };
 
 // Until it is home again, has left, or until the walk has computed `end` cycles.
-Path follow_path(Walk& walk, Walker walker, std::int64_t block, std::int64_t end) {
-    Path path{.block = block, .left = walker.left};
+Path follow_path(Walk& walk, Walker walker, std::size_t departure, std::int64_t end) {
+    Path path{.departure = departure, .left = walker.left};
     double furthest = not_looked;
     for (Now now = path.left ? Now::left : Now::away; now == Now::away;) {
         path.stopped = walk.cycles() >= end;
@@ -258,7 +247,7 @@ Path follow_path(Walk& walk, Walker walker, std::int64_t block, std::int64_t end
 
 struct Probability {
     double mean = 1;
-    double variance = infinitely_far;  // relative, with that of the rate of departures
+    double variance = infinitely_far;  // relative
 };
 
 // Of a departure from home.
@@ -275,18 +264,15 @@ double median_furthest(const std::vector<Path>& paths) {
     return *middle;
 }
 
-// Relative, of the rate at which some paths got somewhere: by the shares in them that the blocks have in which
-// they departed, as blocks are independent of each other (lineages tell the variance of a splitting: Lee &
-// Whiteley 2018, Biometrika 105, 609).
-double variance_of(const std::vector<Path>& paths, const std::vector<std::size_t>& got_there,
-                   std::int64_t blocks) {
-    if (blocks < fewest_blocks) return infinitely_far;
-    std::map<std::int64_t, double> shares;
-    for (const std::size_t n : got_there) shares[paths[n].block] += 1 / static_cast<double>(got_there.size());
+// Relative, of the probability to get where some paths got: by the shares in them that descend from the same
+// departure (Lee & Whiteley 2018, Biometrika 105, 609).
+double variance_of_lineages(const std::vector<Path>& paths, const std::vector<std::size_t>& got_there) {
+    std::map<std::size_t, double> shares;
+    for (const std::size_t n : got_there)
+        shares[paths[n].departure] += 1 / static_cast<double>(got_there.size());
     double squares = 0;
-    for (const auto& [block, share] : shares) squares += share * share;
-    const auto all = static_cast<double>(blocks);
-    return std::max(squares * all - 1, 0.0) / (all - 1);
+    for (const auto& [departure, share] : shares) squares += share * share;
+    return std::max(squares - 1 / static_cast<double>(paths.size()), 0.0);
 }
 
 // first: cycles that the first paths took.
@@ -296,21 +282,17 @@ std::size_t affordable_paths(std::int64_t first, std::int64_t budget) {
                       most_paths);
 }
 
-// Adaptive multilevel splitting, as far as the budget reaches; nothing where a path fails. block_length: in
-// cycles.
-std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, double block_length,
-                           double least_probability, std::int64_t budget) {
-    const auto block_of = [&](const Departure& departure) {
-        return static_cast<std::int64_t>(static_cast<double>(departure.cycle) / block_length);
-    };
+// Adaptive multilevel splitting, as far as the budget reaches; nothing where a path fails.
+std::optional<Split> split(Walk& walk, const std::vector<Walker>& departed, double least_probability,
+                           std::int64_t budget) {
     const std::int64_t begin = walk.cycles();
     const std::int64_t end = begin + splitting * budget;
     Split found;
     std::vector<Path> paths;
     std::size_t count = fewest_paths;
     while (paths.size() < count) {
-        const Departure& departure = departed[walk.one_of(departed.size())];
-        paths.push_back(follow_path(walk, departure.walker, block_of(departure), end));
+        const std::size_t departure = walk.one_of(departed.size());
+        paths.push_back(follow_path(walk, departed[departure], departure, end));
         if (paths.back().failed) return std::nullopt;
         if (paths.back().stopped) return found;
         if (paths.size() == fewest_paths) count = affordable_paths(walk.cycles() - begin, budget);
@@ -326,8 +308,7 @@ std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, d
         if (beyond.empty()) return found;
         probability *= static_cast<double>(beyond.size()) / static_cast<double>(count);
         of_levels += 1 / static_cast<double>(beyond.size()) - 1 / static_cast<double>(count);
-        const Probability gets_there{probability,
-                                     of_levels + variance_of(paths, beyond, block_of(departed.back()) + 1)};
+        const Probability gets_there{probability, of_levels + variance_of_lineages(paths, beyond)};
         if (gets_there.variance <= known_well) found.gets_far = gets_there;
         if (leaves) found.leaves = gets_there;
         if (leaves || probability < least_probability) return found;
@@ -336,7 +317,7 @@ std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, d
         for (Path& path : paths) {
             if (path.furthest() > level) continue;
             const Path& parent = paths[beyond[next++ % beyond.size()]];
-            path = follow_path(walk, parent.begin(), parent.block, end);
+            path = follow_path(walk, parent.begin(), parent.departure, end);
             if (path.failed) return std::nullopt;
             if (path.stopped) return found;
         }
@@ -344,21 +325,22 @@ std::optional<Split> split(Walk& walk, const std::vector<Departure>& departed, d
 }
 
 // By departures from home and the probability that one leaves.
-std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, double block_length,
-                                          std::int64_t budget) {
-    const double departures_per_cycle =
-        static_cast<double>(first.departures) / static_cast<double>(first.cycles);
-    const auto found = split(walk, first.departed, block_length, rarest / departures_per_cycle, budget);
+std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, std::int64_t budget) {
+    const auto departures = static_cast<double>(first.departures);
+    const double departures_per_cycle = departures / static_cast<double>(first.cycles);
+    const auto found = split(walk, first.departed, rarest / departures_per_cycle, budget);
     if (!found) return std::nullopt;
     MeanLife life = life_of(first, walk);
     const double followed = std::isfinite(life.mean) ? life.error / life.mean : told_at_most;
-    const double error = found->leaves ? std::sqrt(found->leaves->variance + walk.variance()) : infinitely_far;
+    const double error =
+        found->leaves ? std::sqrt(found->leaves->variance + 1 / departures + walk.variance()) : infinitely_far;
     if (error <= std::min(followed, told_at_most)) {
         const double mean = 1 / (departures_per_cycle * found->leaves->mean);
         return MeanLife{.mean = mean, .error = mean * error};
     }
     if (first.lives == 0 && found->gets_far.variance <= known_well) {
-        const double most = found->gets_far.mean * (1 + 2 * std::sqrt(found->gets_far.variance));
+        const double most =
+            found->gets_far.mean * (1 + 2 * std::sqrt(found->gets_far.variance + 1 / departures));
         life.least = std::max(1 / (departures_per_cycle * most), life.least);
     }
     return life;
@@ -387,8 +369,7 @@ std::optional<MeanLife> mean_life(DisturbedMap& map, const Home& home, std::int6
     if (!first.is_sound()) return std::nullopt;
     if (first.lives == enough_lives || first.departures == 0) return life_of(first, walk);
     const std::int64_t rest = budget - budget / 4;
-    if (first.lives < lives_to_follow_on)
-        return life_by_splitting(walk, first, std::max(times_to_forget * home.to_relax(), 1.0), rest);
+    if (first.lives < lives_to_follow_on) return life_by_splitting(walk, first, rest);
     const Followed more = follow(walk, walker, rest, std::numeric_limits<std::int64_t>::max(), asking * rest);
     if (!more.is_sound()) return std::nullopt;
     return life_of(first + more, walk);

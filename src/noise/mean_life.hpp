@@ -16,8 +16,8 @@
 // Guyader 2007, Stoch. Anal. Appl. 25, 417): of paths from departures that half which comes less far from home
 // is ended, again and again, and others are followed from where the rest got further. Between the ends of
 // cycles, the distance is that at the next end without further disturbances. The standard error follows from
-// how many stretches of time, long enough to be independent, the departures are from of which those that leave
-// descend.
+// how many departures those that leave descend from; that of as many levels of independent paths is added,
+// since a few paths may all miss the ways on which most lives end.
 //
 // Where no path gets beyond a level, as a motion that forgets within a cycle may do, where the budget ends, or
 // where the error were above 63 % or that of four or more lives that were followed, these count. Fewer than

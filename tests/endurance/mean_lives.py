@@ -5,7 +5,7 @@ cycles, however near it is; the program counts what is away for good. So lives a
 standard errors of both.
 
 Rare ends of the paper's 170 mm rig: the same life by splitting and by a hundred lives that are followed one by one, which the program
-does where `cycles` suffice."""
+does where `cycles` suffice; and forty estimates of one life, whose spread is to be that of the errors told."""
 import os
 import subprocess
 import sys
@@ -106,8 +106,8 @@ damping_ns_per_m = {DASHPOT}
 """
 
 
-def program_life(case, folder, binary, rig=OWN_RIG, cycles=400_000):
-    """In cycles, with its standard error; and the orbit's state at phase 0, x and x' in A0 and A0 omega."""
+def program_lives(case, folder, binary, rig, cycles, count=1):
+    """{name: values} of as many motions, on rigs 1e-9 apart in gap/A0, and so with other random numbers; lives in forcing cycles."""
     noise = "\n".join(f"{key} = {value}" for key, value in case.noise.items())
     job = folder / "job.toml"
     job.write_text(f"""schema = 1
@@ -120,8 +120,8 @@ to = {case.frequency_ratio}
 points = 1
 [axes.gap_ratio]
 from = {case.gap_ratio}
-to = {case.gap_ratio}
-points = 1
+to = {case.gap_ratio + 1e-9 * (count - 1)}
+points = {count}
 [starts]
 count = 64
 [noise]
@@ -132,13 +132,39 @@ cycles = {cycles}
     file.unlink(missing_ok=True)
     subprocess.run([binary, "run", job, "--output", file], check=True, capture_output=True)
     with h5py.File(file) as data:
-        slot = [(int(p), int(q)) for p, q in zip(data["attractor_impacts"][:, 0, 0], data["attractor_period"][:, 0, 0])].index(
-            (case.impacts, case.period))
-        values = {name: float(data[name][slot, 0, 0]) for name in (
+        wanted = (data["attractor_impacts"][:, :, 0] == case.impacts) & (data["attractor_period"][:, :, 0] == case.period)
+        values = {name: data[name][:, :, 0][wanted] for name in (
             "mean_life_s", "mean_life_error_s", "attractor_orbit_displacement", "attractor_orbit_velocity")}
-        cycle = 1 / float(data["frequency_hz"][0])
-    life = values["mean_life_s"] / cycle, values["mean_life_error_s"] / cycle
+        hertz = float(data["frequency_hz"][0])
+    for name in ("mean_life_s", "mean_life_error_s"):
+        values[name.removesuffix("_s")] = values.pop(name) * hertz
+    return values
+
+
+def program_life(case, folder, binary, rig=OWN_RIG, cycles=400_000):
+    """In cycles, with its standard error; and the orbit's state at phase 0, x and x' in A0 and A0 omega."""
+    values = {name: float(one[0]) for name, one in program_lives(case, folder, binary, rig, cycles).items()}
+    life = values["mean_life"], values["mean_life_error"]
     return life, values["attractor_orbit_displacement"], values["attractor_orbit_velocity"] + case.frequency_ratio
+
+
+def errors_are_the_spread(case, folder, binary, rig, enough):
+    """Of 40 estimates by 1e5 cycles of one life, which `enough` cycles follow a hundred times. Rates, as these are means of what is told."""
+    (followed, followed_error), _, _ = program_life(case, folder, binary, rig, enough)
+    values = program_lives(case, folder, binary, rig, 100_000, 40)
+    told = np.isfinite(values["mean_life"])
+    rate, error = 1 / values["mean_life"][told], values["mean_life_error"][told] / values["mean_life"][told] ** 2
+    spread = np.std(rate, ddof=1)
+    ratio = spread / np.sqrt(np.mean(error**2))
+    off = np.log(rate.mean() * followed)
+    beyond = int(np.sum(np.abs(np.log(rate * followed)) > 3 * np.hypot(error / rate, followed_error / followed)))
+    fits = 0.4 < ratio < 1.4 and abs(off) < 3 * np.hypot(spread / rate.mean() / np.sqrt(rate.size), followed_error / followed)
+    words = (f"{told.sum()} of {told.size} tell a mean, the others a bound; rates differ by {ratio:.2f} of their errors, and their mean is "
+             f"{rate.mean() * followed:.2f} of that of lives followed, {followed:.3g} +- {followed_error:.1g} cycles; {beyond} beyond three errors")
+    print(case.impacts, case.period, case.noise, words, "" if fits else "DIFFERS", flush=True)
+    parts.row(f"rare ends of {case.impacts}/{case.period} at Ω/ω {case.frequency_ratio}, gap/A0 {case.gap_ratio} under {case.noise}", told.size,
+        words if fits else f"**{words}**")
+    return fits
 
 
 def splitting_agrees(case, folder, binary, enough):
@@ -171,6 +197,12 @@ def main():
                 told if fits else f"**{told}**")
         failed |= not splitting_agrees(Case(0.9, 3.0, 1, 3, {"acceleration_m_s2_per_sqrt_hz": 0.00104}), Path(folder), binary,
                                        1_000_000_000)
+        beam = (Path(__file__).parents[2] / "jobs" / "rigs" / "170mm.toml").read_text()
+        for case, rig, enough in (
+                (Case(0.9, 3.0, 1, 3, {"acceleration_m_s2_per_sqrt_hz": 0.0013}), beam, 30_000_000),
+                (Case(1.5, 2.0, 0, 1, {"acceleration_m_s2_per_sqrt_hz": 0.03}), OWN_RIG, 30_000_000),
+                (Case(1.5, 2.0, 0, 1, {"amplitude_relative": 0.011}), OWN_RIG, 60_000_000)):
+            failed |= not errors_are_the_spread(case, Path(folder), binary, rig, enough)
     return 1 if failed else 0
 
 

@@ -65,7 +65,7 @@ def test_a_file_of_which_only_what_follows_the_cells_is_missing_says_so(tmp_path
     unfinish(path)
     outcome = draw(path)
     assert outcome.code == 0
-    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: all but what follows the last cell"
+    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: last steps missing"
 
 
 def test_an_incomplete_file_is_drawn_with_a_notice(tmp_path, draw):
@@ -126,4 +126,4 @@ def test_a_part_of_a_file_that_is_not_finished_says_so(tmp_path, draw):
     unfinish(path)
     outcome = draw(path, "--zoom", "1,3,0,3", "--units", "ratio")
     assert outcome.code == 0
-    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: all but what follows the last cell"
+    assert outcome.stdout.splitlines()[0] == f"{path}: incomplete: last steps missing"

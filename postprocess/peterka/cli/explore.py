@@ -28,7 +28,7 @@ from ..page.layers import MOST_CELLS
 from ..page.page import page
 from ..pictures import open_file
 from .command_line import (
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell,
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell, tell_if_unfinished,
 )
 from ..sweeps.sweep_file import SweepFile
 
@@ -46,6 +46,7 @@ def _explore() -> int:
     try:
         with open_file(arguments.file) as file:
             shown = explorable(file, arguments.every)
+            tell_if_unfinished(file)
             if is_to_be_built():
                 build_engine()
             text, notes = page(shown, arguments.every, arguments.layers)

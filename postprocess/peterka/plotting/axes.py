@@ -148,7 +148,8 @@ def notice_incomplete(ax: Axes, file: Growing) -> None:
 
 def so_far(file: Growing) -> str:
     """The same notice for a title."""
-    return "" if file.is_complete else f"{incomplete_text(file)}\n"
+    text = incomplete_text(file)
+    return f"{text}\n" if text else ""
 
 
 def incomplete_text(file: Growing) -> str:
@@ -156,7 +157,7 @@ def incomplete_text(file: Growing) -> str:
     if file.is_complete:
         return ""
     if file.computed == 1:
-        return "incomplete: all but what follows the last cell"
+        return "incomplete: last steps missing"
     return f"incomplete: {np.floor(1000 * file.computed) / 10:.1f} % computed"
 
 
