@@ -200,13 +200,13 @@ BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
     return trajectory::ExactCycleMap<double>(oscillator);
 }
 
-void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
+void BatchedCycleMap::run_twin(std::size_t slot) {
     ++left_to_twin_;
     if (!twin_only_[slot]) lanes_[Field::next][slot] = grid_.steps;
     if (!twins_[slot]) twins_[slot] = twin_of(slot);
     trajectory::Recorder<double> recorder(is_rigid() ? trajectory::Detail::impacts : trajectory::Detail::force);
-    const auto cycle = twins_[slot]({lanes_[Field::start_delta][slot], lanes_[Field::start_velocity][slot]},
-                                    wanted.measure ? &recorder : nullptr);
+    const auto cycle =
+        twins_[slot]({lanes_[Field::start_delta][slot], lanes_[Field::start_velocity][slot]}, &recorder);
     outcome_[slot] = cycle.outcome;
     set_state(slot, cycle.end);
     lanes_[Field::impacts][slot] = cycle.impacts;
@@ -230,11 +230,11 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
 
 // All queued lanes exist, each waits for one event at a time, and none waits once all have reached the end of
 // their cycle.
-void BatchedCycleMap::expect_sound_queues([[maybe_unused]] Wanted wanted) {
+void BatchedCycleMap::expect_sound_queues([[maybe_unused]] bool whole) {
 #ifdef PETERKA_EXPECTS
     std::size_t waiting = queues_.twin.size;
     for (const Queue* queue : queues_.events()) {
-        PETERKA_EXPECT(queue->size == 0 || !wanted.whole);
+        PETERKA_EXPECT(queue->size == 0 || !whole);
         waiting += queue->size;
         for (std::size_t n = 0; n < queue->size; ++n) {
             PETERKA_EXPECT(0 <= queue->lane[n] && static_cast<std::size_t>(queue->lane[n]) < size_);
@@ -244,38 +244,45 @@ void BatchedCycleMap::expect_sound_queues([[maybe_unused]] Wanted wanted) {
 #endif
 }
 
-void BatchedCycleMap::run_kernel(Wanted wanted) {
+void BatchedCycleMap::run_kernel(bool whole) {
     const bool kicks = law_ == Law::kicks && (!rig_ || rig_->cubic != 0);
     if (rig_) {
         const auto run = is_rigid() ? run_rigid_cycle : kicks ? run_split_cycle : run_linear_cycle;
-        return run(*rig_, grid_, lanes_, queues_, wanted);
+        return run(*rig_, grid_, lanes_, queues_, whole);
     }
     const auto run = is_rigid() ? run_own_rigs_rigid_cycle
                      : kicks    ? run_own_rigs_split_cycle
                                 : run_own_rigs_cycle;
-    run(grid_, lanes_, queues_, wanted);
+    run(grid_, lanes_, queues_, whole);
 }
 
-void BatchedCycleMap::advance(Wanted wanted) {
+void BatchedCycleMap::advance() {
+    advance(true);
+}
+
+void BatchedCycleMap::advance_partly() {
+    advance(false);
+}
+
+void BatchedCycleMap::advance(bool whole) {
     using Outcome = trajectory::Cycle<double>::Outcome;
-    run_kernel(wanted);
-    expect_sound_queues(wanted);
-    last_ = wanted;
+    run_kernel(whole);
+    expect_sound_queues(whole);
     std::fill_n(outcome_.begin(), size_, Outcome::done);
     for (std::size_t n = 0; n < queues_.twin.size; ++n) {
-        run_twin(static_cast<std::size_t>(queues_.twin.lane[n]), wanted);
+        run_twin(static_cast<std::size_t>(queues_.twin.lane[n]));
     }
     if (twin_only_count_ == 0) return;
     for (std::size_t slot = 0; slot < size_; ++slot) {
         if (!twin_only_[slot]) continue;
         lanes_[Field::start_delta][slot] = lanes_[Field::delta][slot];
         lanes_[Field::start_velocity][slot] = lanes_[Field::velocity][slot];
-        run_twin(slot, wanted);
+        run_twin(slot);
     }
 }
 
 trajectory::Totals<double> BatchedCycleMap::totals(std::size_t slot) const {
-    PETERKA_EXPECT(slot < size_ && is_at_end(slot) && last_.measure);
+    PETERKA_EXPECT(slot < size_ && is_at_end(slot));
     trajectory::Totals<double> totals;
     totals.impacts = static_cast<std::int64_t>(lanes_[Field::impacts][slot]);
     totals.largest_force = peak_force(slot);
@@ -300,11 +307,9 @@ trajectory::Cycle<double> BatchedCycleMap::cycle(std::size_t slot) const {
     cycle.impacts = static_cast<int>(lanes_[Field::impacts][slot]);
     cycle.touched = lanes_[Field::touched][slot] != 0;
     cycle.separated = lanes_[Field::separated][slot] != 0;
-    if (last_.jacobian) {
-        // column by column: what is stored in pairs can be loaded in pairs without a stall
-        cycle.jacobian.col(0) = scene::State<double>(lanes_.jacobian(0)[slot], lanes_.jacobian(2)[slot]);
-        cycle.jacobian.col(1) = scene::State<double>(lanes_.jacobian(1)[slot], lanes_.jacobian(3)[slot]);
-    }
+    // column by column: what is stored in pairs can be loaded in pairs without a stall
+    cycle.jacobian.col(0) = scene::State<double>(lanes_.jacobian(0)[slot], lanes_.jacobian(2)[slot]);
+    cycle.jacobian.col(1) = scene::State<double>(lanes_.jacobian(1)[slot], lanes_.jacobian(3)[slot]);
     return cycle;
 }
 

@@ -37,7 +37,7 @@ class BatchedCycleMap {
     // those of steps_for or, with split springs, trajectory::split_steps. The capacity grows as needed.
     BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16,
                     Springs springs = Springs::linear);
-    // For cells with rigs of their own. Jacobians are always computed.
+    // For cells with rigs of their own.
     BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs,
                     Stop stop = Stop::spring_dashpot);
 
@@ -57,22 +57,24 @@ class BatchedCycleMap {
     // Requires the same.
     void set_state(std::size_t slot, const scene::State<double>& state);
 
-    // Cells at the end of their cycle begin the next one. `wanted` must not change until all are at their end.
-    void advance(Wanted wanted);
+    // Cells at the end of their cycle begin the next one, and all reach its end.
+    void advance();
+    // The same by about one cycle: some events wait for more of their kind, which fill the vectors.
+    void advance_partly();
     // Whether the cell is at the end of its cycle, as a new cell is.
     [[nodiscard]] bool is_at_end(std::size_t slot) const {
         const double next = lanes_[Field::next][slot];
         return twin_only_[slot] || (next >= grid_.steps && next < never);
     }
 
-    // The cell's cycle, at its end. A Jacobian that was not requested is the identity.
+    // The cell's cycle, at its end.
     [[nodiscard]] trajectory::Cycle<double> cycle(std::size_t slot) const;
-    // If measured: the largest force F/(k A0), and an upper bound of |u| = |delta + gap|.
+    // The largest force F/(k A0), and an upper bound of |u| = |delta + gap|.
     [[nodiscard]] double peak_force(std::size_t slot) const { return lanes_[Field::peak_force][slot]; }
     [[nodiscard]] double displacement_bound(std::size_t slot) const {
         return lanes_[Field::largest_displacement][slot];
     }
-    // If measured: all that a recorder gathers at the level `force` or, for a rigid stop, at the level
+    // All that a recorder gathers at the level `force` or, for a rigid stop, at the level
     // `impacts`, provided that no chatter extends across the ends of the cycle.
     [[nodiscard]] trajectory::Totals<double> totals(std::size_t slot) const;
     [[nodiscard]] scene::State<double> state(std::size_t slot) const {
@@ -104,11 +106,12 @@ class BatchedCycleMap {
     void copy_slot(std::size_t slot, std::size_t to);
     void use_lanes(std::size_t size);
     [[nodiscard]] Twin twin_of(std::size_t slot) const;
-    void run_twin(std::size_t slot, Wanted wanted);
-    void expect_sound_queues(Wanted wanted);
+    void run_twin(std::size_t slot);
+    void expect_sound_queues(bool whole);
 
     [[nodiscard]] bool is_rigid() const { return law_ == Law::rigid; }
-    void run_kernel(Wanted wanted);
+    void advance(bool whole);
+    void run_kernel(bool whole);
 
     Law law_;
     scene::Oscillator<double> oscillator_;  // if all share the rig: its frequency and gap are arbitrary
@@ -119,7 +122,6 @@ class BatchedCycleMap {
     std::unique_ptr<double[], void (*)(double*)> slab_;
     Lanes lanes_;
     Queues queues_;
-    Wanted last_;
     std::vector<std::uint64_t> pattern_;
     std::vector<std::uint64_t> chain_pattern_;
     std::vector<trajectory::Cycle<double>::Outcome> outcome_;

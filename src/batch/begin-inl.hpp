@@ -12,9 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // The swing of the flights of a vector of lanes, and the margin of their bound.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_INLINE V Kernel<measure, jacobian, law, own>::begin_flight(std::size_t i, V delta, V velocity,
-                                                               Mask which) const {
+template <Law law, bool own>
+HWY_INLINE V Kernel<law, own>::begin_flight(std::size_t i, V delta, V velocity, Mask which) const {
     const auto& rig = rig_at(i);
     const V gap = load(lanes_[Field::gap] + i);
     const V eta = load(lanes_[Field::frequency] + i);
@@ -33,8 +32,8 @@ HWY_INLINE V Kernel<measure, jacobian, law, own>::begin_flight(std::size_t i, V 
 }
 
 // Puts all lanes at forcing phase 0, sorted by phase of motion.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::begin() {
     const V zero = all(0);
     queues_.twin.size = 0;
     real_ = every();
@@ -73,10 +72,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
         set(ended, zero, lanes_[Field::impacts] + i);
         set(ended, choose(contact, all(1), zero), lanes_[Field::touched] + i);
         set(ended, choose(flight, all(1), zero), lanes_[Field::separated] + i);
-        if constexpr (measure) {
-            set(ended, zero, lanes_[Field::peak_force] + i);
-            set(ended, zero, lanes_[Field::largest_displacement] + i);
-        }
+        set(ended, zero, lanes_[Field::peak_force] + i);
+        set(ended, zero, lanes_[Field::largest_displacement] + i);
         if constexpr (rigid) {
             const V press_to = load(lanes_[Field::press_to] + i);
             const Mask pressed = presses(load(lanes_[Field::press_from] + i), press_to, zero);
@@ -84,25 +81,21 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
             set(ended, zero, lanes_[Field::chain_impacts] + i);
             set(ended, zero, lanes_[Field::swallowed] + i);
             set(ended, zero, lanes_[Field::chatter] + i);
-            if constexpr (measure) {
-                for (const Field field : {Field::chain_impulse, Field::impact_speed, Field::impulse,
-                                          Field::contact_time, Field::contact_work}) {
-                    set(ended, zero, lanes_[field] + i);
-                }
+            for (const Field field : {Field::chain_impulse, Field::impact_speed, Field::impulse,
+                                      Field::contact_time, Field::contact_work}) {
+                set(ended, zero, lanes_[field] + i);
             }
             store(choose(ended, phase, load(lanes_.chain_pattern + i)), lanes_.chain_pattern + i);
         }
-        if constexpr (Gathered::bounds_legs) {
+        if constexpr (!cubic) {
             const V u = delta + load(lanes_[Field::gap] + i);
             set(ended, amplitude, lanes_[Field::leg_amplitude] + i);
             set(ended, sqrt(mul_add(u, u, velocity * velocity)), lanes_[Field::leg_energy] + i);
         }
-        if constexpr (keeps_legs) set(ended, zero, lanes_[Field::leg_start] + i);
-        if constexpr (jacobian) {
-            const Matrix2 identity{all(1), zero, zero, all(1)};
-            store_jacobian(everywhere(ended) ? identity : choose(ended, identity, load_jacobian(lanes_, i)),
-                           lanes_, i);
-        }
+        set(ended, zero, lanes_[Field::leg_start] + i);
+        const Matrix2 identity{all(1), zero, zero, all(1)};
+        store_jacobian(everywhere(ended) ? identity : choose(ended, identity, load_jacobian(lanes_, i)), lanes_,
+                       i);
         const Moments start{delta, velocity, zero, all(1)};
         const Mask goes = ended & finite;
         if constexpr (cubic) {
@@ -116,8 +109,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
 }
 
 // Closes the last leg of each lane.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::finish() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::finish() {
     const V zero = all(0);
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V next = load(lanes_[Field::next] + i);
@@ -125,26 +118,20 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::finish() {
         if (!any(ended)) continue;
         const V impacts = load(lanes_[Field::impacts] + i);
         store(choose(impacts > zero, all(1), load(lanes_[Field::touched] + i)), lanes_[Field::touched] + i);
-        if constexpr (measure || jacobian) {
-            const V start = load(lanes_[Field::leg_start] + i);
-            const Mask flies = ended & (start >= zero);
-            const V duration = mul_sub(all(steps_), load(lanes_[Field::step] + i), start);
-            if constexpr (measure) {
-                const V eta = load(lanes_[Field::frequency] + i);
-                const V bound = min(load(lanes_[Field::swing] + i) + load(lanes_[Field::leg_amplitude] + i),
-                                    mul_add(eta * eta, duration, load(lanes_[Field::leg_energy] + i)));
-                const V largest = load(lanes_[Field::largest_displacement] + i);
-                store(choose(flies, max(largest, bound), largest), lanes_[Field::largest_displacement] + i);
-            }
-            if constexpr (jacobian) {
-                const auto& rig = rig_at(i);
-                const Matrix2 f = flow(sine_cosine(all(rig.flight_rate) * duration),
-                                       exp_of(all(-rig.damping_ratio) * duration), all(rig.damping_ratio),
-                                       all(1), all(1 / rig.flight_rate));
-                const Matrix2 j = load_jacobian(lanes_, i);
-                store_jacobian(choose(flies, f * j, j), lanes_, i);
-            }
-        }
+        const V start = load(lanes_[Field::leg_start] + i);
+        const Mask flies = ended & (start >= zero);
+        const V duration = mul_sub(all(steps_), load(lanes_[Field::step] + i), start);
+        const V eta = load(lanes_[Field::frequency] + i);
+        const V bound = min(load(lanes_[Field::swing] + i) + load(lanes_[Field::leg_amplitude] + i),
+                            mul_add(eta * eta, duration, load(lanes_[Field::leg_energy] + i)));
+        const V largest = load(lanes_[Field::largest_displacement] + i);
+        store(choose(flies, max(largest, bound), largest), lanes_[Field::largest_displacement] + i);
+        const auto& rig = rig_at(i);
+        const Matrix2 f =
+            flow(sine_cosine(all(rig.flight_rate) * duration), exp_of(all(-rig.damping_ratio) * duration),
+                 all(rig.damping_ratio), all(1), all(1 / rig.flight_rate));
+        const Matrix2 j = load_jacobian(lanes_, i);
+        store_jacobian(choose(flies, f * j, j), lanes_, i);
     }
 }
 

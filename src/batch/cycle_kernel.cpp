@@ -11,8 +11,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-HWY_ATTR void run_linear(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_kernel<Law::spring_dashpot>(rig, grid, lanes, queues, wanted);
+HWY_ATTR void run_linear(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    Kernel<Law::spring_dashpot, false>(rig, grid, lanes, queues).run(whole);
+}
+HWY_ATTR void run_own_rigs(const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    Kernel<Law::spring_dashpot, true>(grid, lanes, queues).run(whole);
 }
 
 const char* arithmetic_name() {
@@ -30,10 +33,14 @@ HWY_AFTER_NAMESPACE();
 namespace peterka::batch {
 
 HWY_EXPORT(run_linear);
+HWY_EXPORT(run_own_rigs);
 HWY_EXPORT(arithmetic_name);
 
-void run_linear_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    HWY_DYNAMIC_DISPATCH(run_linear)(rig, grid, lanes, queues, wanted);
+void run_linear_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    HWY_DYNAMIC_DISPATCH(run_linear)(rig, grid, lanes, queues, whole);
+}
+void run_own_rigs_cycle(const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    HWY_DYNAMIC_DISPATCH(run_own_rigs)(grid, lanes, queues, whole);
 }
 
 std::string_view arithmetic() {

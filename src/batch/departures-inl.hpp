@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::release_all() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::release_all() {
     const Waiting w = take(queues_.releases);
     const Cells cells = cells_of(w.lanes);
     Gathered track(lanes_, w.lanes);
@@ -21,9 +21,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release_all() {
 }
 
 // The stop does not press, and the hammer moves out: it leaves, and flies on to a grid point.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V time, const Moments& m,
-                                                           V until, Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::release(const Cells& cells, V time, const Moments& m, V until, Mask which,
+                                        Gathered& track) {
     const V zero = all(0);
     const Flight flight(cells, m);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], cells.index));
@@ -61,10 +61,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V
     if constexpr (cubic) {
         const Mask held = which & goes_on & (end.delta >= zero);
         hold(cells, end.delta, end.velocity, until, held, queues_.held_releases);
-        if constexpr (measure) {
-            track.raise_displacement(hull.displacement_bound(cells.gap, m.delta, margin), which);
-        }
-        if constexpr (jacobian) track.carry(flown(cells, length), free);
+        track.raise_displacement(hull.displacement_bound(cells.gap, m.delta, margin), which);
+        track.carry(flown(cells, length), free);
         arrive(cells, end.delta, end.velocity, grid_point, fourth, free & ~held);
     } else {
         arrive(cells, end.delta, end.velocity, grid_point, fourth, free);
@@ -83,8 +81,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V
 // The stop does not press, and the hammer leaves so slowly that it may turn back: then contact resumes. It
 // cannot rise from below the stop to above it without a force, so where the force rises next tells whether it
 // had left.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::turn() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::turn() {
     const Waiting w = take(queues_.turns);
     const Cells cells = cells_of(w.lanes);
     const Flight flight(cells, w.moment);
@@ -100,14 +98,11 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::turn() {
     const Mask flies = quiet & (end.delta < zero);
     const Mask held = quiet & (end.delta >= zero) & (grid_point >= w.end);
     Gathered track(lanes_, w.lanes);
-    if constexpr (measure && cubic) {
+    if constexpr (cubic) {
         const V margin = hull_margin(fourth, length);
         const Hull hull(w.moment.delta, w.moment.velocity, end.delta, end.velocity, length, margin);
         track.raise_displacement(hull.displacement_bound(cells.gap, w.moment.delta, margin), every());
-    }
-
-    if constexpr (cubic) {
-        if constexpr (jacobian) track.carry(flown(cells, length), flies | held);
+        track.carry(flown(cells, length), flies | held);
         hold(cells, end.delta, end.velocity, w.end, held, queues_.held_releases);
         arrive(cells, end.delta, end.velocity, grid_point, fourth, flies);
     } else {
@@ -119,13 +114,13 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::turn() {
     push(cells.index, grid_point, time, force.moment, real_ & has_left, queues_.hops);
 
     if (any(resumes)) {
-        if constexpr (measure && !cubic) {
+        if constexpr (!cubic) {
             track.raise_displacement(
                 min(track.swing + track.leg_amplitude, mul_add(cells.drive, force.time, track.leg_energy)),
                 resumes);
         }
-        if constexpr (jacobian) track.carry(flown(cells, force.time), resumes);
-        if constexpr (keeps_legs) track.leg_start = choose(resumes, time, track.leg_start);
+        track.carry(flown(cells, force.time), resumes);
+        track.leg_start = choose(resumes, time, track.leg_start);
         track.pattern = choose(resumes, append(track.pattern, trajectory::Phase::contact), track.pattern);
         put(all(1), lanes_[Field::touched], cells.index, resumes);
         push(cells.index, w.end, time, force.moment, real_ & resumes, queues_.contacts);

@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::strike() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::strike() {
     const Waiting w = take(queues_.crossings);
     const Cells cells = cells_of(w.lanes);
     const MeetingMoment found =
@@ -28,8 +28,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::strike() {
 }
 
 // Events at the stop. False if no queue holds enough lanes to pay.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR bool Kernel<measure, jacobian, law, own>::drain_stop(auto is_ripe) {
+template <Law law, bool own>
+HWY_ATTR bool Kernel<law, own>::drain_stop(auto is_ripe) {
     if constexpr (rigid) {
         if (is_ripe(queues_.turns)) {
             bounce();
@@ -56,8 +56,8 @@ HWY_ATTR bool Kernel<measure, jacobian, law, own>::drain_stop(auto is_ripe) {
     return true;
 }
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::drain(std::size_t fill) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::drain(std::size_t fill) {
     const auto is_ripe = [&](const Queue& queue) {
         return queue.size >= fill || (queue.size > 0 && queue.passes >= longest_wait);
     };
@@ -79,8 +79,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::drain(std::size_t fill) {
     }
 }
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::hop() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::hop() {
     const Waiting w = take(queues_.hops);
     const Cells cells = cells_of(w.lanes);
     const V length = mul_sub(w.end, cells.step, w.time);
@@ -95,7 +95,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::hop() {
         const Mask below = end.delta < all(0);
         arrive(cells, end.delta, end.velocity, w.end, fourth, stays_below & below);
         leave_to_twin(cells, ~below & stays_below);
-        if constexpr (cubic && jacobian) {
+        if constexpr (cubic) {
             Gathered track(lanes_, w.lanes);
             track.carry(flown(cells, mul_sub(w.end, cells.step, track.leg_start)), stays_below);
             track.keep(lanes_, w.lanes);
@@ -108,9 +108,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::hop() {
     }
 }
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::arrive(const Cells& cells, V delta, V velocity, V grid_point,
-                                                          V fourth_derivative, Mask which) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::arrive(const Cells& cells, V delta, V velocity, V grid_point,
+                                       V fourth_derivative, Mask which) {
     put(delta, lanes_[Field::delta], cells.index, which);
     put(velocity, lanes_[Field::velocity], cells.index, which);
     put(grid_point, lanes_[Field::next], cells.index, which);
@@ -118,9 +118,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::arrive(const Cells& cells, V 
 }
 
 // The hammer meets the stop.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::touch(const Cells& cells, V time, const Moments& m, V until,
-                                                         Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::touch(const Cells& cells, V time, const Moments& m, V until, Mask which,
+                                      Gathered& track) {
     // a touch so slow that rounding decides it
     const V scale = cells.drive + abs(cells.gap) + all(1);
     const Mask slow = m.velocity * m.velocity <= all(1e-10) * scale * scale;
@@ -134,22 +134,20 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::touch(const Cells& cells, V t
     }
 }
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::press(const Cells& cells, V time, const Moments& m, V until,
-                                                         Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::press(const Cells& cells, V time, const Moments& m, V until, Mask which,
+                                      Gathered& track) {
     const V drive = cells.drive;
     track.impacts = choose(which, track.impacts + all(1), track.impacts);
     track.pattern = choose(which, append(track.pattern, trajectory::Phase::contact), track.pattern);
-    if constexpr (measure && !cubic) {
+    if constexpr (!cubic) {
         const V duration = time - track.leg_start;
         track.raise_displacement(
             min(track.swing + track.leg_amplitude, mul_add(drive, duration, track.leg_energy)), which);
     }
-    if constexpr (jacobian) {
-        track.carry(flown(cells, time - track.leg_start), which);
-        track.jump(all(cells.rig.damping), which);
-    }
-    if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
+    track.carry(flown(cells, time - track.leg_start), which);
+    track.jump(all(cells.rig.damping), which);
+    track.leg_start = choose(which, time, track.leg_start);
 
     Mask is_short = none();
     if constexpr (!own) is_short = touch_shortly(cells, time, m, until, which, track);
@@ -158,9 +156,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::press(const Cells& cells, V t
 
 // Handles the touches that are over soon, or would be without the next kick, and what follows. One long
 // function: each part of it would need the contact, its release and the mask narrowed so far.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& cells, V time, const Moments& m,
-                                                                 V until, Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR Mask Kernel<law, own>::touch_shortly(const Cells& cells, V time, const Moments& m, V until, Mask which,
+                                              Gathered& track) {
     const V drive = cells.drive;
     const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // their pull at the stop
     const V pull = mul_sub(drive, m.sine, springs);
@@ -190,24 +188,21 @@ HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& ce
         const Mask goes_on = cubic ? is_short & (end.time >= left) : none();  // at the stop at the next kick
         const V duration = cubic ? min(end.time, left) : end.time;
         const ContactPoint point = cubic && any(goes_on) ? contact.at(left) : end.point;
-        if constexpr (measure) {
-            const ShortPeak peak = short_peak(rig_, contact, bounded, is_short);
-            is_short = is_short & peak.sure;
-            const Mask rises = goes_on & (peak.time > left);
-            const V largest =
-                cubic && any(rises) ? choose(rises, contact.force(point).value, peak.force) : peak.force;
-            track.peak_force = choose(is_short, max(track.peak_force, largest), track.peak_force);
-            const V reach =
-                gather(lanes_[Field::contact_swing], cells.index) + contact.amplitude(contact.start());
-            const V contact_period = cubic ? all(1) / cells.contact_frequency : all(1 / rig_.contact_frequency);
-            const V square_of_it = cubic ? contact_period * contact_period : all(1 / rig_.contact_square);
-            const V energy = sqrt(mul_add(contact.static_position(), contact.static_position(),
-                                          m.velocity * m.velocity * square_of_it));
-            const V work = drive * duration * contact_period;
-            track.raise_displacement(abs(contact.static_position() + cells.gap) + min(reach, energy + work),
-                                     is_short);
-        }
-        if constexpr (jacobian) track.carry(contact.flow_for(duration), is_short);
+        const ShortPeak peak = short_peak(rig_, contact, bounded, is_short);
+        is_short = is_short & peak.sure;
+        const Mask rises = goes_on & (peak.time > left);
+        const V largest =
+            cubic && any(rises) ? choose(rises, contact.force(point).value, peak.force) : peak.force;
+        track.peak_force = choose(is_short, max(track.peak_force, largest), track.peak_force);
+        const V reach = gather(lanes_[Field::contact_swing], cells.index) + contact.amplitude(contact.start());
+        const V contact_period = cubic ? all(1) / cells.contact_frequency : all(1 / rig_.contact_frequency);
+        const V square_of_it = cubic ? contact_period * contact_period : all(1 / rig_.contact_square);
+        const V energy = sqrt(mul_add(contact.static_position(), contact.static_position(),
+                                      m.velocity * m.velocity * square_of_it));
+        const V work = drive * duration * contact_period;
+        track.raise_displacement(abs(contact.static_position() + cells.gap) + min(reach, energy + work),
+                                 is_short);
+        track.carry(contact.flow_for(duration), is_short);
         Mask leaves = is_short;
         if constexpr (cubic) {
             const Moments last = contact.moment(point);
@@ -221,8 +216,8 @@ HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& ce
 }
 
 // A contact of any length, from its beginning or from that of the cycle.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::stay() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::stay() {
     const Waiting w = take(queues_.contacts);
     const Cells cells = cells_of(w.lanes);
     const Contact contact(lanes_, cells, w.moment);
@@ -232,18 +227,16 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::stay() {
     Mask sure = ~end.unsure;
     const V duration = choose(end.found, end.time, length);
     Gathered track(lanes_, w.lanes);
-    if constexpr (measure) {
-        const Peak peak = long_peak(cells, contact, duration, sure);
-        sure = sure & peak.sure;
-        track.peak_force = choose(sure, max(track.peak_force, peak.force), track.peak_force);
-        const V reach = gather(lanes_[Field::contact_swing], cells.index) + contact.amplitude(contact.start());
-        const V stretch = w.moment.delta - contact.static_position();
-        const V speed = w.moment.velocity / cells.contact_frequency;
-        const V energy = sqrt(mul_add(stretch, stretch, speed * speed));
-        const V work = cells.drive * duration / cells.contact_frequency;
-        track.raise_displacement(abs(contact.static_position() + cells.gap) + min(reach, energy + work), sure);
-    }
-    if constexpr (jacobian) track.carry(contact.flow_for(duration), sure);
+    const Peak peak = long_peak(cells, contact, duration, sure);
+    sure = sure & peak.sure;
+    track.peak_force = choose(sure, max(track.peak_force, peak.force), track.peak_force);
+    const V reach = gather(lanes_[Field::contact_swing], cells.index) + contact.amplitude(contact.start());
+    const V stretch = w.moment.delta - contact.static_position();
+    const V speed = w.moment.velocity / cells.contact_frequency;
+    const V energy = sqrt(mul_add(stretch, stretch, speed * speed));
+    const V work = cells.drive * duration / cells.contact_frequency;
+    track.raise_displacement(abs(contact.static_position() + cells.gap) + min(reach, energy + work), sure);
+    track.carry(contact.flow_for(duration), sure);
     leave_to_twin(cells, ~sure);
 
     const Mask stays = ~end.found & sure;
@@ -253,7 +246,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::stay() {
             hold(cells, last.delta, last.velocity, w.end, stays, queues_.held_contacts);
         } else {
             arrive(cells, last.delta, last.velocity, all(steps_), zero, stays);
-            if constexpr (keeps_legs) track.leg_start = choose(stays, all(-1), track.leg_start);
+            track.leg_start = choose(stays, all(-1), track.leg_start);
         }
     }
     const Mask leaves = sure & end.found;

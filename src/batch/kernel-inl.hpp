@@ -80,7 +80,7 @@ HWY_INLINE Mask presses(V from, V to, V theta) {
 using Forced = SineCosine;
 
 // own: each lane has its own rig.
-template <bool measure, bool jacobian, Law law, bool own>
+template <Law law, bool own>
 class Kernel {
   public:
     Kernel(const Grid& grid, const Lanes& lanes, Queues& queues) requires own : rig_(),
@@ -115,8 +115,7 @@ class Kernel {
   private:
     static constexpr bool cubic = law == Law::kicks;
     static constexpr bool rigid = law == Law::rigid;
-    using Gathered = Track<measure, jacobian, law>;
-    static constexpr bool keeps_legs = Gathered::keeps_legs;
+    using Gathered = Track<law>;
     // An event needs one in lanes_per_fill of the batch's lanes, at most most_fill, to be worth its vectors;
     // where cycles need not be whole, fewer wait for up to longest_wait rounds of the march.
     static constexpr std::size_t lanes_per_fill = 8;
@@ -192,21 +191,21 @@ class Kernel {
     // Begins a flight at a time, or ends it after a duration; flow: that of this duration.
     HWY_INLINE static void begin_leg(const Cells& cells, V time, const Moments& m, Mask which,
                                      Gathered& track) {
-        if constexpr (Gathered::bounds_legs) {
+        if constexpr (!cubic) {
             const V u = m.delta + cells.gap;
             track.leg_amplitude = choose(which, Flight(cells, m).amplitude(), track.leg_amplitude);
             track.leg_energy = choose(which, sqrt(mul_add(u, u, m.velocity * m.velocity)), track.leg_energy);
         }
-        if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
+        track.leg_start = choose(which, time, track.leg_start);
     }
     HWY_INLINE static void end_leg(const Cells& cells, V duration, const Matrix2& flow, Mask which,
                                    Gathered& track) {
-        if constexpr (Gathered::bounds_legs) {
+        if constexpr (!cubic) {
             track.raise_displacement(
                 min(track.swing + track.leg_amplitude, mul_add(cells.drive, duration, track.leg_energy)),
                 which);
         }
-        if constexpr (jacobian) track.carry(flow, which);
+        track.carry(flow, which);
     }
     // An elastic stop releases at delta = 0, up to rounding.
     HWY_ATTR static Moments let_go(const Moments& m) {
@@ -232,24 +231,6 @@ class Kernel {
     double steps_;
     Mask real_ = every();  // of the current vector of lanes: not padding
 };
-
-template <Law law>
-HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    constexpr bool own = false;
-    if (wanted.measure && wanted.jacobian)
-        return Kernel<true, true, law, own>(rig, grid, lanes, queues).run(wanted.whole);
-    if (wanted.measure) return Kernel<true, false, law, own>(rig, grid, lanes, queues).run(wanted.whole);
-    if (wanted.jacobian) return Kernel<false, true, law, own>(rig, grid, lanes, queues).run(wanted.whole);
-    return Kernel<false, false, law, own>(rig, grid, lanes, queues).run(wanted.whole);
-}
-
-// For lanes with their own rigs, always with the Jacobian: callers that need only states share one rig.
-template <Law law>
-HWY_ATTR void run_own_kernel(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    constexpr bool own = true;
-    if (wanted.measure) return Kernel<true, true, law, own>(grid, lanes, queues).run(wanted.whole);
-    return Kernel<false, true, law, own>(grid, lanes, queues).run(wanted.whole);
-}
 
 }  // namespace peterka::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -12,9 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // The hammer is at the stop at the grid point, and waits for the kick there.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::hold(const Cells& cells, V delta, V velocity, V grid_point,
-                                                        Mask which, Queue& held) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::hold(const Cells& cells, V delta, V velocity, V grid_point, Mask which,
+                                     Queue& held) {
     if (!any(which)) return;
     const Index point = index_of(grid_point);
     const Moments m{delta, velocity, gather(grid_.sine.data(), point), gather(grid_.cosine.data(), point)};
@@ -24,19 +24,17 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::hold(const Cells& cells, V de
 
 // Kicks the lanes at the stop at a grid point (at the ends of a cycle by half, the other half belongs to the
 // adjacent cycle), and queues them to be followed to the next grid point.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::kick_held(Queue& held, Queue& ready, bool pressed) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::kick_held(Queue& held, Queue& ready, bool pressed) {
     const Waiting w = take(held);
     const Cells cells = cells_of(w.lanes);
     const Mask ends = w.end == all(steps_);
     const V part = choose(ends | (w.end == all(0)), all(0.5), all(1));
     const Kick kick(part * all(cells.rig.cubic) * cells.step, cells.gap, w.moment.delta);
     const V velocity = w.moment.velocity - kick.speed;
-    if constexpr (jacobian) {
-        const Matrix2 j = kicked(gather_jacobian(lanes_, w.lanes), kick.slope);
-        scatter(j.e10, lanes_[Field::jacobian_10], w.lanes);
-        scatter(j.e11, lanes_[Field::jacobian_11], w.lanes);
-    }
+    const Matrix2 j = kicked(gather_jacobian(lanes_, w.lanes), kick.slope);
+    scatter(j.e10, lanes_[Field::jacobian_10], w.lanes);
+    scatter(j.e11, lanes_[Field::jacobian_11], w.lanes);
     // a kick that changes the sign of the force would be an event
     const V force = mul_add(all(cells.rig.stiffness), w.moment.delta, all(cells.rig.damping) * velocity);
     const Mask presses = force > all(0);
@@ -50,8 +48,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::kick_held(Queue& held, Queue&
 }
 
 // The half kick at the end of the cycle on lanes in flight.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::finish_kicks() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::finish_kicks() {
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V impacts = load(lanes_[Field::impacts] + i);
         store(choose(impacts > all(0), all(1), load(lanes_[Field::touched] + i)), lanes_[Field::touched] + i);
@@ -64,10 +62,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::finish_kicks() {
         store(choose(flies, kicked_velocity, velocity), lanes_[Field::velocity] + i);
         const Mask finite = abs(delta) + abs(kicked_velocity) < all(1e100);  // large kicks can diverge
         push(index_from(i), flies & ~finite, queues_.twin);
-        if constexpr (jacobian) {
-            const Matrix2 j = load_jacobian(lanes_, i);
-            store_jacobian(choose(flies, kicked(j, kick.slope), j), lanes_, i);
-        }
+        const Matrix2 j = load_jacobian(lanes_, i);
+        store_jacobian(choose(flies, kicked(j, kick.slope), j), lanes_, i);
     }
 }
 

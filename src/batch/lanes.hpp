@@ -192,12 +192,4 @@ struct Grid {
     std::vector<double> cosine;
 };
 
-struct Wanted {
-    bool measure = false;   // peak force and a bound of |u|
-    bool jacobian = false;  // of the cycle
-    // All lanes reach the end of their cycle. Otherwise some events may wait for more of their kind, to fill
-    // the vectors, and the next call continues with them.
-    bool whole = true;
-};
-
 }  // namespace peterka::batch

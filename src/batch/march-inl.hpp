@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // The first grid point with a lane to march; the end of the cycle if there is none.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR int Kernel<measure, jacobian, law, own>::earliest() const {
+template <Law law, bool own>
+HWY_ATTR int Kernel<law, own>::earliest() const {
     const double* next = lanes_[Field::next];
     double point = steps_;
     for (std::size_t i = 0; i < lanes_.size; ++i) point = std::min(point, next[i]);
@@ -24,8 +24,8 @@ HWY_ATTR int Kernel<measure, jacobian, law, own>::earliest() const {
 }
 
 // Advances all lanes at grid point n to the next one.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::step(int n) {
     const auto point = static_cast<std::size_t>(n);
     const Forced forced{all(grid_.sine[point]), all(grid_.cosine[point])};
     const V here = all(n);
@@ -52,9 +52,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
 }
 
 // Kicks a vector of lanes, and returns the kick's derivative by delta.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_INLINE V Kernel<measure, jacobian, law, own>::kick(const Lanes& lanes, std::size_t i, Mask active,
-                                                       V cubic_part) const {
+template <Law law, bool own>
+HWY_INLINE V Kernel<law, own>::kick(const Lanes& lanes, std::size_t i, Mask active, V cubic_part) const {
     const Kick kick(cubic_part * load(lanes[Field::step] + i), load(lanes[Field::gap] + i),
                     load(lanes[Field::delta] + i));
     double* velocity = lanes[Field::velocity] + i;
@@ -68,9 +67,9 @@ HWY_INLINE V Kernel<measure, jacobian, law, own>::kick(const Lanes& lanes, std::
 }
 
 // One step of flight of a vector of lanes, and its flag test.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_INLINE Flags Kernel<measure, jacobian, law, own>::fly(const Lanes& lanes, std::size_t i, Mask active,
-                                                          const Forced& forced, V kick_slope) const {
+template <Law law, bool own>
+HWY_INLINE Flags Kernel<law, own>::fly(const Lanes& lanes, std::size_t i, Mask active, const Forced& forced,
+                                       V kick_slope) const {
     const V x0 = load(lanes[Field::delta] + i);
     const V v0 = load(lanes[Field::velocity] + i);
     const V margin = load(lanes[Field::margin] + i);
@@ -98,14 +97,12 @@ HWY_INLINE Flags Kernel<measure, jacobian, law, own>::fly(const Lanes& lanes, st
     store(choose(active, v1, v0), lanes[Field::velocity] + i);
     const V next = load(lanes[Field::next] + i);
     store(choose(active, choose(above | between, all(never), next + all(1)), next), lanes[Field::next] + i);
-    if constexpr (cubic && measure) {
+    if constexpr (cubic) {
         const V gap = load(lanes[Field::gap] + i);
         const V highest = min(max(inside, max(x0, x1)), all(0));  // in flight it stays below the stop
         const V bound = max(abs(highest + gap), abs(hull.lowest(margin) + gap));
         const V largest = load(lanes[Field::largest_displacement] + i);
         store(choose(active, max(largest, bound), largest), lanes[Field::largest_displacement] + i);
-    }
-    if constexpr (cubic && jacobian) {
         const Matrix2 j = kicked(load_jacobian(lanes, i), kick_slope);
         const Mask flies = active & ~(above | between);  // the others are carried by their events
         store_jacobian(choose(flies, flow * j, j), lanes, i);
@@ -114,8 +111,8 @@ HWY_INLINE Flags Kernel<measure, jacobian, law, own>::fly(const Lanes& lanes, st
 }
 
 // Queues those of up to 64 lanes that events stop in the step after grid point n.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
     const auto point = static_cast<std::size_t>(n);
     const auto put_in = [&](Queue& queue, std::uint64_t left) {
         for (; left != 0; left &= left - 1) {
@@ -124,7 +121,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::enqueue(std::size_t first_lan
             queue.add(static_cast<std::int64_t>(lane),
                       {n + 1.0, time, lanes_[Field::delta_before][lane], lanes_[Field::velocity_before][lane],
                        grid_.sine[point], grid_.cosine[point]});
-            if constexpr (cubic && jacobian) lanes_[Field::leg_start][lane] = time;
+            if constexpr (cubic) lanes_[Field::leg_start][lane] = time;
         }
     };
     put_in(queues_.crossings, flags.rises);

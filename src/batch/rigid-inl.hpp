@@ -71,15 +71,16 @@ HWY_INLINE V pressing_impulse(const auto& cells, V from, V to) {
 }
 
 // The result of an impact at a speed v > 0.
-template <bool measure, bool jacobian, Law law, bool own>
-struct Kernel<measure, jacobian, law, own>::Struck {
+template <Law law, bool own>
+struct Kernel<law, own>::Struck {
     V rebound;   // the speed after it
     Mask rests;  // the chatter ends with it: these lanes wait at rest
 };
 
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, jacobian, law, own>::strike_rigid(
-    const Cells& cells, V time, const Moments& m, Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR typename Kernel<law, own>::Struck Kernel<law, own>::strike_rigid(const Cells& cells, V time,
+                                                                          const Moments& m, Mask which,
+                                                                          Gathered& track) {
     const V r = all(cells.rig.restitution);
     const V theta = cells.eta * time;
     const V pull = mul_sub(cells.drive, m.sine, cells.gap);  // a at rest on the stop
@@ -94,20 +95,18 @@ HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, ja
         scatter(choose(begins, track.pattern, gather(lanes_.chain_pattern, cells.index)), lanes_.chain_pattern,
                 cells.index);
     }
-    if constexpr (measure) {
-        const V impulse = (all(1) + r) * m.velocity;
-        track.impact_speed = choose(which, max(track.impact_speed, m.velocity), track.impact_speed);
-        track.impulse = choose(which, max(track.impulse, impulse), track.impulse);
-        const V work = (all(1) - r) * impulse * m.velocity * all(0.5);
-        track.contact_work = choose(which, track.contact_work + work, track.contact_work);
-        if (any(pressed)) {
-            const V before = choose(begins, all(0), gather(lanes_[Field::chain_impulse], cells.index));
-            put(before + impulse, lanes_[Field::chain_impulse], cells.index, pressed);
-        }
+    const V impulse = (all(1) + r) * m.velocity;
+    track.impact_speed = choose(which, max(track.impact_speed, m.velocity), track.impact_speed);
+    track.impulse = choose(which, max(track.impulse, impulse), track.impulse);
+    const V work = (all(1) - r) * impulse * m.velocity * all(0.5);
+    track.contact_work = choose(which, track.contact_work + work, track.contact_work);
+    if (any(pressed)) {
+        const V before = choose(begins, all(0), gather(lanes_[Field::chain_impulse], cells.index));
+        put(before + impulse, lanes_[Field::chain_impulse], cells.index, pressed);
     }
     track.impacts = choose(which, track.impacts + all(1), track.impacts);
     track.pattern = choose(which, append(track.pattern, trajectory::Phase::contact), track.pattern);
-    if constexpr (jacobian) track.reflect(r, (all(1) + r) * pull / m.velocity, which);
+    track.reflect(r, (all(1) + r) * pull / m.velocity, which);
 
     // the series of the remaining bounces
     constexpr double small = 6.0554544523933429e-6 / 8;  // cube root of a double's epsilon
@@ -126,13 +125,11 @@ HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, ja
         put(gather(lanes_[Field::swallowed], cells.index) + chained - all(1), lanes_[Field::swallowed],
             cells.index, rests);
         put(all(1), lanes_[Field::chatter], cells.index, rests & ~at_once);
-        if constexpr (measure) {
-            // the remaining bounces absorb the remaining speed; the stop presses until the release
-            const V left = rebound * rebound * all(0.5);
-            track.contact_work = choose(rests, track.contact_work + left, track.contact_work);
-            put(gather(lanes_[Field::chain_impulse], cells.index) - rebound, lanes_[Field::chain_impulse],
-                cells.index, rests);
-        }
+        // the remaining bounces absorb the remaining speed; the stop presses until the release
+        const V left = rebound * rebound * all(0.5);
+        track.contact_work = choose(rests, track.contact_work + left, track.contact_work);
+        put(gather(lanes_[Field::chain_impulse], cells.index) - rebound, lanes_[Field::chain_impulse],
+            cells.index, rests);
         put(theta, lanes_[Field::chain_until], cells.index, rests);
         push(cells.index, all(steps_), time + choose(at_once, all(0), last), m, real_ & rests,
              queues_.contacts);
@@ -141,9 +138,9 @@ HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, ja
 }
 
 // After an impact: at rest, soon back, or on the way to a grid point.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::rebound(const Cells& cells, V time, const Moments& m,
-                                                           Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::rebound(const Cells& cells, V time, const Moments& m, Mask which,
+                                        Gathered& track) {
     const Struck after = strike_rigid(cells, time, m, which, track);
     const Moments left{all(0), -after.rebound, m.sine, m.cosine};
     const V pull = mul_sub(cells.drive, m.sine, cells.gap);
@@ -158,8 +155,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::rebound(const Cells& cells, V
 }
 
 // Bounces of a chatter, one after another, until it comes to rest or a flight takes longer.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::bounce() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::bounce() {
     constexpr double most_impacts = 9'990;  // beyond, the twin decides whether these are too many for a cycle
     const Waiting w = take(queues_.turns);
     const Cells cells = cells_of(w.lanes);
@@ -190,9 +187,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::bounce() {
 }
 
 // The hammer leaves the stop, and is not soon back.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::depart(const Cells& cells, V time, const Moments& m,
-                                                          Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::depart(const Cells& cells, V time, const Moments& m, Mask which,
+                                       Gathered& track) {
     const Mask at_rest = which & (m.velocity == all(0));
     if (any(at_rest)) fall(cells, time, m, at_rest, track);
     const Mask flies = which & ~at_rest;
@@ -200,8 +197,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::depart(const Cells& cells, V 
 }
 
 // A hammer at rest on the stop, until the stop no longer presses it.
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::rest() {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::rest() {
     const Waiting w = take(queues_.contacts);
     const Cells cells = cells_of(w.lanes);
     Gathered track(lanes_, w.lanes);
@@ -216,34 +213,32 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::rest() {
     const V until = choose(leaves, release_or_now, end);
     const V theta_until = cells.eta * until;
     const SineCosine phase = sine_cosine(theta_until);
-    if constexpr (measure) {
-        constexpr double quarter = std::numbers::pi / 2;  // where the sine is largest
-        const Mask over_top = (theta <= all(quarter)) & (theta_until >= all(quarter));
-        const V first = sine_cosine(theta).sine;
-        const V largest = choose(over_top, all(1), max(first, phase.sine));
-        const V force = mul_sub(cells.drive, largest, cells.gap);
-        track.peak_force = choose(until > w.time, max(track.peak_force, force), track.peak_force);
-        track.raise_displacement(abs(cells.gap), every());
-        // the chatter and the rest that follows it count as one impact, since the last bounce that was followed
-        const V chained = gather(lanes_[Field::chain_impulse], w.lanes) +
-                          pressing_impulse(cells, gather(lanes_[Field::chain_until], w.lanes), theta_until);
-        track.impulse = choose(leaves, max(track.impulse, chained), track.impulse);
-        const V longest = max(gather(lanes_[Field::contact_time], w.lanes), until - w.time);
-        put(longest, lanes_[Field::contact_time], w.lanes, leaves);
-    }
-    if constexpr (jacobian) track.forget(every());
+    constexpr double quarter = std::numbers::pi / 2;  // where the sine is largest
+    const Mask over_top = (theta <= all(quarter)) & (theta_until >= all(quarter));
+    const V first = sine_cosine(theta).sine;
+    const V largest = choose(over_top, all(1), max(first, phase.sine));
+    const V force = mul_sub(cells.drive, largest, cells.gap);
+    track.peak_force = choose(until > w.time, max(track.peak_force, force), track.peak_force);
+    track.raise_displacement(abs(cells.gap), every());
+    // the chatter and the rest that follows it count as one impact, since the last bounce that was followed
+    const V chained = gather(lanes_[Field::chain_impulse], w.lanes) +
+                      pressing_impulse(cells, gather(lanes_[Field::chain_until], w.lanes), theta_until);
+    track.impulse = choose(leaves, max(track.impulse, chained), track.impulse);
+    const V longest = max(gather(lanes_[Field::contact_time], w.lanes), until - w.time);
+    put(longest, lanes_[Field::contact_time], w.lanes, leaves);
+    track.forget(every());
     put(all(1), lanes_[Field::touched], w.lanes, every());
     arrive(cells, zero, zero, all(steps_), zero, ~leaves);
-    if constexpr (keeps_legs) track.leg_start = choose(leaves, track.leg_start, all(-1));
+    track.leg_start = choose(leaves, track.leg_start, all(-1));
     if (any(leaves)) fall(cells, until, {zero, zero, phase.sine, phase.cosine}, leaves, track);
     track.keep(lanes_, w.lanes);
 }
 
 // A hammer at rest falls away: it cannot return before half its own period has passed, nor before the stop
 // presses again (trajectory/rigid_legs.hpp).
-template <bool measure, bool jacobian, Law law, bool own>
-HWY_ATTR void Kernel<measure, jacobian, law, own>::fall(const Cells& cells, V time, const Moments& m,
-                                                        Mask which, Gathered& track) {
+template <Law law, bool own>
+HWY_ATTR void Kernel<law, own>::fall(const Cells& cells, V time, const Moments& m, Mask which,
+                                     Gathered& track) {
     constexpr double turn = 2 * std::numbers::pi;
     const V theta = cells.eta * time;
     const V press_from = gather(lanes_[Field::press_from], cells.index);

@@ -11,11 +11,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-HWY_ATTR void run_rigid(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_kernel<Law::rigid>(rig, grid, lanes, queues, wanted);
+HWY_ATTR void run_rigid(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    Kernel<Law::rigid, false>(rig, grid, lanes, queues).run(whole);
 }
-HWY_ATTR void run_own_rigs_rigid(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_own_kernel<Law::rigid>(grid, lanes, queues, wanted);
+HWY_ATTR void run_own_rigs_rigid(const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    Kernel<Law::rigid, true>(grid, lanes, queues).run(whole);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE
@@ -27,11 +27,11 @@ namespace peterka::batch {
 HWY_EXPORT(run_rigid);
 HWY_EXPORT(run_own_rigs_rigid);
 
-void run_rigid_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    HWY_DYNAMIC_DISPATCH(run_rigid)(rig, grid, lanes, queues, wanted);
+void run_rigid_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    HWY_DYNAMIC_DISPATCH(run_rigid)(rig, grid, lanes, queues, whole);
 }
-void run_own_rigs_rigid_cycle(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    HWY_DYNAMIC_DISPATCH(run_own_rigs_rigid)(grid, lanes, queues, wanted);
+void run_own_rigs_rigid_cycle(const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    HWY_DYNAMIC_DISPATCH(run_own_rigs_rigid)(grid, lanes, queues, whole);
 }
 
 }  // namespace peterka::batch

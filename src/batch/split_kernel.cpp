@@ -1,4 +1,4 @@
-// The kernel with a cubic spring, separate from the other so that both compile in parallel.
+// The kernel with a cubic spring, separate from the others so that all compile in parallel.
 #include "batch/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -11,8 +11,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-HWY_ATTR void run_split(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_kernel<Law::kicks>(rig, grid, lanes, queues, wanted);
+HWY_ATTR void run_split(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    Kernel<Law::kicks, false>(rig, grid, lanes, queues).run(whole);
+}
+HWY_ATTR void run_own_rigs_split(const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    Kernel<Law::kicks, true>(grid, lanes, queues).run(whole);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE
@@ -22,9 +25,13 @@ HWY_AFTER_NAMESPACE();
 namespace peterka::batch {
 
 HWY_EXPORT(run_split);
+HWY_EXPORT(run_own_rigs_split);
 
-void run_split_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    HWY_DYNAMIC_DISPATCH(run_split)(rig, grid, lanes, queues, wanted);
+void run_split_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    HWY_DYNAMIC_DISPATCH(run_split)(rig, grid, lanes, queues, whole);
+}
+void run_own_rigs_split_cycle(const Grid& grid, const Lanes& lanes, Queues& queues, bool whole) {
+    HWY_DYNAMIC_DISPATCH(run_own_rigs_split)(grid, lanes, queues, whole);
 }
 
 }  // namespace peterka::batch

@@ -33,19 +33,16 @@ HWY_INLINE Pattern append(Pattern p, auto event) {
 }
 static_assert(trajectory::append(1, 0) == (1ULL << 40) + 256 + 128 + 32 + 16 + 2 + 1);
 
-template <bool measure, bool jacobian, Law law>
+template <Law law>
 struct Track {
     // With a cubic spring the displacement is bounded from step to step.
-    static constexpr bool bounds_legs = measure && law != Law::kicks;
-    static constexpr bool gathers_impacts = measure && law == Law::rigid;
-    static constexpr bool keeps_legs = bounds_legs || jacobian;
+    static constexpr bool bounds_legs = law != Law::kicks;
+    static constexpr bool gathers_impacts = law == Law::rigid;
 
     HWY_INLINE Track(const Lanes& lanes, Index which)
         : pattern(gather(lanes.pattern, which)), impacts(gather(lanes[Field::impacts], which)) {
-        if constexpr (measure) {
-            peak_force = gather(lanes[Field::peak_force], which);
-            largest = gather(lanes[Field::largest_displacement], which);
-        }
+        peak_force = gather(lanes[Field::peak_force], which);
+        largest = gather(lanes[Field::largest_displacement], which);
         if constexpr (gathers_impacts) {
             impact_speed = gather(lanes[Field::impact_speed], which);
             impulse = gather(lanes[Field::impulse], which);
@@ -56,16 +53,14 @@ struct Track {
             leg_energy = gather(lanes[Field::leg_energy], which);
             swing = gather(lanes[Field::swing], which);
         }
-        if constexpr (keeps_legs) leg_start = gather(lanes[Field::leg_start], which);
-        if constexpr (jacobian) jacobian_now = gather_jacobian(lanes, which);
+        leg_start = gather(lanes[Field::leg_start], which);
+        jacobian_now = gather_jacobian(lanes, which);
     }
     HWY_INLINE void keep(const Lanes& lanes, Index which) const {
         scatter(pattern, lanes.pattern, which);
         scatter(impacts, lanes[Field::impacts], which);
-        if constexpr (measure) {
-            scatter(peak_force, lanes[Field::peak_force], which);
-            scatter(largest, lanes[Field::largest_displacement], which);
-        }
+        scatter(peak_force, lanes[Field::peak_force], which);
+        scatter(largest, lanes[Field::largest_displacement], which);
         if constexpr (gathers_impacts) {
             scatter(impact_speed, lanes[Field::impact_speed], which);
             scatter(impulse, lanes[Field::impulse], which);
@@ -75,8 +70,8 @@ struct Track {
             scatter(leg_amplitude, lanes[Field::leg_amplitude], which);
             scatter(leg_energy, lanes[Field::leg_energy], which);
         }
-        if constexpr (keeps_legs) scatter(leg_start, lanes[Field::leg_start], which);
-        if constexpr (jacobian) scatter_jacobian(jacobian_now, lanes, which);
+        scatter(leg_start, lanes[Field::leg_start], which);
+        scatter_jacobian(jacobian_now, lanes, which);
     }
 
     HWY_INLINE void carry(const Matrix2& f, Mask where) {

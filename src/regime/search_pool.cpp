@@ -61,9 +61,7 @@ struct SearchPool::Group {
 
     [[nodiscard]] bool is_full() const { return cells.size() >= enough; }
 
-    // Advances all cells by a cycle, always measured: some cells need that, and separate groups would be
-    // smaller.
-    void advance() { map.advance({.measure = true, .jacobian = true, .whole = false}); }
+    void advance() { map.advance_partly(); }
     // Records the cycle of a slot; returns whether it is the last of its order.
     [[nodiscard]] bool record(std::size_t slot) {
         Member& cell = *cells[slot];

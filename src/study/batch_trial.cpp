@@ -55,7 +55,7 @@ BatchTrial follow_in_batch(std::span<const OrbitStart> cells, std::int64_t cycle
         const Stopwatch stopwatch;
         for (std::int64_t n = 0; n < cycles; ++n) {
             stop_if_asked();
-            map.advance({.measure = false, .jacobian = true});
+            map.advance();
         }
         fastest = std::min(fastest, stopwatch.seconds());
     }
@@ -63,7 +63,7 @@ BatchTrial follow_in_batch(std::span<const OrbitStart> cells, std::int64_t cycle
 
     const std::size_t longest = std::ranges::max(cells, {}, &OrbitStart::period).period;
     for (std::size_t n = 0; n < longest; ++n) {
-        map.advance({.measure = true, .jacobian = true});
+        map.advance();
         for (std::size_t cell = 0; cell < cells.size(); ++cell) {
             if (n < cells[cell].period) trial.orbits[cell].push_back(observed(map, cell));
         }

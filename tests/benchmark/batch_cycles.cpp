@@ -1,4 +1,5 @@
-// Time per forcing cycle and cell, and error in peak force, of the batched engine and of the scalar ones.
+// Time per forcing cycle and cell, and error in peak force, of the batched engine, with force and Jacobian, and
+// of the scalar ones.
 //
 // Eight regular cells of the 170 mm rig, 200 cycles from rest; the batched engine carries 256 copies of each,
 // shuffled, in one batch. Engines take turns and the fastest of their rounds counts, so that other
@@ -122,7 +123,7 @@ struct Batch {
     double left_to_twin = 0;
 };
 
-Batch batch_peaks(batch::Wanted wanted, OfKind of_kind = oscillator_of) {
+Batch batch_peaks(OfKind of_kind = oscillator_of) {
     std::vector<std::size_t> order(kinds * copies);
     for (std::size_t n = 0; n < order.size(); ++n) order[n] = n % kinds;
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
@@ -135,7 +136,7 @@ Batch batch_peaks(batch::Wanted wanted, OfKind of_kind = oscillator_of) {
         }
         for (int cycle = 0; cycle < cycles; ++cycle) {
             const bool last = cycle >= cycles - last_cycles;
-            map.advance({wanted.measure || last, wanted.jacobian});
+            map.advance();
             if (!last) continue;
             for (std::size_t slot = 0; slot < slots; ++slot) {
                 double& peak = result.peaks[order[first + slot]];
@@ -148,7 +149,7 @@ Batch batch_peaks(batch::Wanted wanted, OfKind of_kind = oscillator_of) {
     return result;
 }
 
-Batch split_batch_peaks(batch::Wanted wanted) {
+Batch split_batch_peaks() {
     Batch result;
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         const auto oscillator = cubic_oscillator_of(kind);
@@ -158,7 +159,7 @@ Batch split_batch_peaks(batch::Wanted wanted) {
         }
         for (int cycle = 0; cycle < cycles; ++cycle) {
             const bool last = cycle >= cycles - last_cycles;
-            map.advance({wanted.measure || last, wanted.jacobian});
+            map.advance();
             if (last) result.peaks[kind] = std::max(result.peaks[kind], map.peak_force(0));
         }
         result.left_to_twin +=
@@ -182,7 +183,7 @@ double off_closed_form() {
         map.add(frequency, gap, {-1 - gap, 0});
         double largest = 0;
         for (int cycle = 0; cycle < 10 * cycles; ++cycle) {
-            map.advance({.measure = true});
+            map.advance();
             if (cycle >= 10 * cycles - last_cycles) largest = std::max(largest, map.totals(0).impact_speed);
         }
         error = std::max(error, std::abs(largest / speed - 1));
@@ -212,28 +213,19 @@ std::vector<Contestant> contestants() {
     constexpr double scalar_cells = static_cast<double>(kinds) * cycles;
     std::vector<Contestant> list;
     for (const std::int64_t set : batch::instruction_sets()) {
-        for (const auto& [what, wanted] : {std::pair{"", batch::Wanted{}},
-                                           {" + peak force", batch::Wanted{true, false}},
-                                           {" + Jacobian", batch::Wanted{false, true}},
-                                           {" + both", batch::Wanted{true, true}}}) {
-            list.push_back(
-                {fmt::format("batch, {}{}", batch::name_of(set), what), all_cells, [set, wanted = wanted] {
-                     batch::use_instruction_set(set);
-                     return batch_peaks(wanted).peaks;
-                 }});
-            list.push_back({fmt::format("batch, rigid, {}{}", batch::name_of(set), what), all_cells,
-                            [set, wanted = wanted] {
+        const auto add = [&](std::string_view law, const std::function<Batch()>& run, Truth truth) {
+            list.push_back({fmt::format("batch, {}{}", law, batch::name_of(set)), all_cells,
+                            [set, run] {
                                 batch::use_instruction_set(set);
-                                return batch_peaks(wanted, rigid_oscillator_of).peaks;
+                                return run().peaks;
                             },
-                            Truth::rigid});
-            list.push_back({fmt::format("batch, split, {}{}", batch::name_of(set), what), all_cells,
-                            [set, wanted = wanted] {
-                                batch::use_instruction_set(set);
-                                return split_batch_peaks(wanted).peaks;
-                            },
-                            Truth::split});
-        }
+                            truth});
+        };
+        add(
+            "", [] { return batch_peaks(); }, Truth::exact);
+        add(
+            "rigid, ", [] { return batch_peaks(rigid_oscillator_of); }, Truth::rigid);
+        add("split, ", split_batch_peaks, Truth::split);
     }
     const auto exact = [](const auto& oscillator) { return trajectory::ExactCycleMap<double>(oscillator); };
     list.push_back({"exact", scalar_cells, [=] { return scalar_peaks<double>(cycles, false, exact); }});
@@ -300,8 +292,8 @@ int main(int argc, char** argv) {
     fmt::print(
         "\nleft to the scalar twin: {:.2g} of the cycles, {:.2g} with split springs, {:.2g} with a rigid "
         "stop\n",
-        batch_peaks({}).left_to_twin, split_batch_peaks({}).left_to_twin,
-        batch_peaks({}, rigid_oscillator_of).left_to_twin);
+        batch_peaks().left_to_twin, split_batch_peaks().left_to_twin,
+        batch_peaks(rigid_oscillator_of).left_to_twin);
     fmt::print("rigid stop, batch against the closed form of 1/1 and 1/2: {:.1e} of the impact speed\n",
                off_closed_form());
 }

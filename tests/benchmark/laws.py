@@ -92,7 +92,7 @@ def error_beside_time(bench, rounds):
     lines = bench.output(bench.build / "tests" / "batch_cycles", rounds).splitlines()
     found = [re.match(r"(batch, .*?)\s{2,}([\d.e+-]+)\s+([\d.e+-]+)", line) for line in lines]
     return [[each[1], f"{float(each[2]):.3g}", f"{float(each[3]):.0e}"] for each in found
-            if each and "split" not in each[1] and each[1].endswith("+ both")]
+            if each and "split" not in each[1]]
 
 
 def main():

@@ -123,7 +123,7 @@ Comparison compare_cycles(batch::BatchedCycleMap& map, const std::vector<Twin>& 
                           int cycles) {
     Comparison result;
     for (int cycle = 0; cycle < cycles; ++cycle) {
-        map.advance({.measure = true, .jacobian = true});
+        map.advance();
         for (std::size_t n = 0; n < cells.size(); ++n) {
             compare(twins[n], cells[n].state, map, n, result);
             cells[n].state = map.state(n);

@@ -21,7 +21,7 @@ TEST(BatchEvents, AnImpactGoesNoFurtherThanItsEnergy) {
         .frequency = 0.05};
     batch::BatchedCycleMap map(rig, 1, batch::BatchedCycleMap::steps_for(rig.frequency));
     map.add(rig.frequency, 0, {-0.01, 1});
-    map.advance({.measure = true});
+    map.advance();
     EXPECT_GT(map.cycle(0).impacts, 0);
     EXPECT_EQ(map.left_to_twin(), 0);
     EXPECT_LT(map.displacement_bound(0), 1.1);

@@ -88,15 +88,15 @@ TEST(BatchOwnRigs, ACellDependsOnItselfAlone) {
         others.add(cells[5].oscillator, cells[5].state);
         together.remove(5);
         const std::string_view arithmetic = batch::arithmetic();
-        for (int cycle = 0; cycle < 3; ++cycle) together.advance({.measure = true, .jacobian = true});
-        for (int cycle = 0; cycle < 3; ++cycle) others.advance({.measure = true, .jacobian = true});
+        for (int cycle = 0; cycle < 3; ++cycle) together.advance();
+        for (int cycle = 0; cycle < 3; ++cycle) others.advance();
         const auto expect_as_alone = [&](const BatchedCycleMap& map, std::size_t slot, std::size_t cell) {
             for (const std::int64_t set : batch::instruction_sets()) {
                 batch::use_instruction_set(set);
                 if (batch::arithmetic() == arithmetic) {
                     BatchedCycleMap alone(1, 33, springs);
                     alone.add(cells[cell].oscillator, cells[cell].state);
-                    for (int cycle = 0; cycle < 3; ++cycle) alone.advance({.measure = true, .jacobian = true});
+                    for (int cycle = 0; cycle < 3; ++cycle) alone.advance();
                     EXPECT_EQ(alone.state(0), map.state(slot)) << cell;
                     EXPECT_EQ(alone.cycle(0).jacobian, map.cycle(slot).jacobian) << cell;
                     EXPECT_EQ(alone.cycle(0).pattern, map.cycle(slot).pattern) << cell;

@@ -109,7 +109,7 @@ TEST_F(BatchRigid, SlowForcing) {
 TEST_F(BatchRigid, RestThatNeverEnds) {
     BatchedCycleMap map(rigid(0.6, 1, 0), 1);
     map.add(0.6, -3.0, {-1, 0});
-    for (int cycle = 0; cycle < 20; ++cycle) map.advance({.measure = true, .jacobian = true});
+    for (int cycle = 0; cycle < 20; ++cycle) map.advance();
     const auto cycle = map.cycle(0);
     EXPECT_EQ(cycle.end, scene::State<double>::Zero());
     EXPECT_EQ(cycle.jacobian, scene::Jacobian<double>::Zero());
@@ -140,7 +140,7 @@ TEST_F(BatchRigid, SingleImpactOrbitsHaveTheSpeedOfTheFormula) {
             map.add(frequency, gap, {-1 - gap, 0});
             double largest = 0;
             for (int cycle = 0; cycle < 2000; ++cycle) {
-                map.advance({.measure = true});
+                map.advance();
                 if (cycle >= 1998) largest = std::max(largest, map.totals(0).impact_speed);
             }
             EXPECT_NEAR(largest, exact, 1e-13 * exact);
@@ -156,7 +156,7 @@ TEST_F(BatchRigid, StartsInTheStopAndNumbersThatAreNoneAreTheTwins) {
     map.add(2, 0.5, {0.1, 0});
     map.add(2, 0.5, {std::nan(""), 0});
     map.add(2, 0.5, {0, 1});
-    map.advance({});
+    map.advance();
     EXPECT_EQ(map.cycle(0).outcome, Outcome::done);
     EXPECT_EQ(map.cycle(1).outcome, Outcome::inside_stop);
     EXPECT_EQ(map.cycle(2).outcome, Outcome::not_finite);

@@ -67,7 +67,7 @@ TEST(BatchSplit, SustainedContact) {
     const auto rig = cubic_rig(1e-2);
     BatchedCycleMap map(rig, 1, 16, Springs::split);
     map.add(0.6, -3, {1e-4, 0});
-    for (int cycle = 0; cycle < 20; ++cycle) map.advance({.measure = true});
+    for (int cycle = 0; cycle < 20; ++cycle) map.advance();
     EXPECT_EQ(map.cycle(0).impacts, 0);
     EXPECT_TRUE(map.cycle(0).touched);
     EXPECT_FALSE(map.cycle(0).separated);
@@ -83,7 +83,7 @@ TEST(BatchSplit, ErrorFallsWithTheSquareOfTheStep) {
     const auto end = [&](int kicks) {
         BatchedCycleMap map(rig, 1, kicks, Springs::split);
         map.add(cell.frequency, cell.gap, cell.state);
-        map.advance({});
+        map.advance();
         EXPECT_EQ(map.cycle(0).impacts, 1);
         return map.state(0);
     };
@@ -119,8 +119,8 @@ TEST(BatchSplit, LinearSpringsLeaveTheCubicOut) {
         with.add(cells[n].frequency, cells[n].gap, cells[n].state);
         without.add(cells[n].frequency, cells[n].gap, cells[n].state);
     }
-    with.advance({});
-    without.advance({});
+    with.advance();
+    without.advance();
     for (std::size_t n = 0; n < cells.size(); ++n) EXPECT_TRUE(with.state(n) == without.state(n));
 }
 
@@ -128,7 +128,7 @@ TEST(BatchSplit, MotionsThatRunAwayAreNotDone) {
     BatchedCycleMap map(cubic_rig(1e-3), 2, 16, Springs::split);
     map.add(2, 0.5, {-1, 0});
     map.add(2, 0.5, {-1e40, 0});
-    map.advance({});
+    map.advance();
     EXPECT_EQ(map.cycle(0).outcome, trajectory::Cycle<double>::Outcome::done);
     EXPECT_NE(map.cycle(1).outcome, trajectory::Cycle<double>::Outcome::done);
 }

@@ -106,7 +106,7 @@ TEST(BatchTwin, NumbersThatAreNoneStayTheirOwn) {
     map.add(2, 0.5, {-1, 0});
     map.add(2, 0.5, {std::nan(""), 0});
     map.add(2, 0.5, {1e200, 1e200});
-    map.advance({});
+    map.advance();
     EXPECT_EQ(map.cycle(0).outcome, trajectory::Cycle<double>::Outcome::done);
     EXPECT_EQ(map.cycle(1).outcome, trajectory::Cycle<double>::Outcome::not_finite);
     EXPECT_NE(map.cycle(2).outcome, trajectory::Cycle<double>::Outcome::done);

@@ -34,7 +34,7 @@ TEST(Expect, TellsWhatWasExpectedAndWhere) {
 TEST(Expect, StandsAtDoors) {
     batch::BatchedCycleMap map(testing::paper_rig(testing::beam_170mm, 1, 0), 2);
     map.add(2, 0.5, {-1, 0});
-    map.advance({});
+    map.advance();
     EXPECT_NO_THROW((void)map.cycle(0));
     EXPECT_THROW((void)map.cycle(1), std::logic_error);
     EXPECT_THROW(map.remove(1), std::logic_error);
