@@ -18,7 +18,7 @@ if [ ${#options[@]} = 0 ]; then
     chosen=(--label-exclude thorough)
     jobs/prepare.sh
 elif has_option --core; then
-    chosen=(-R '[.]|^mpi_tests|^job$|^output$')  # functions' tests are named SUITE.CASE
+    chosen=(-R '^unit[.]|^mpi_tests|^job$|^output$')
     jobs/prepare.sh
 else
     has_option --all && chosen=() || chosen=("$@")

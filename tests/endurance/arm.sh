@@ -38,11 +38,10 @@ row() { echo "$1: $3"; echo "$1 | $2 | $3" >>"$ENDURANCE_ROWS"; }
 wrong=0
 emulator="aarch64, $(inside "$root" qemu-aarch64-static --version | sed -n '1s/qemu-aarch64 version \([0-9.]*\).*/QEMU \1/p')"
 
-# Names of unit tests, unlike those of other suites, have a dot.
-inside "$root" ctest --test-dir build -R '\.' --timeout 1800 -j "$(nproc)" | tee "$folder/tests.log" || wrong=1
+inside "$root" ctest --test-dir build -R '^unit[.]' --timeout 1800 -j "$(nproc)" | tee "$folder/tests.log" || wrong=1
 failed=$(sed -n 's/^\t *[0-9]* - \([^ ]*\) (\(.*\)).*/\1 (\2)/p' "$folder/tests.log" | paste -s -d , | sed 's/,/, /g')
 tried=$(sed -n 's/.* tests failed out of \([0-9]*\)$/\1/p' "$folder/tests.log")
-row "$emulator: unit tests" "$tried" "${failed:-all pass}"
+row "$emulator: suites of unit tests" "$tried" "${failed:-all pass}"
 
 plane() { echo --set "axes.frequency_ratio.points=$1" --set "axes.gap_ratio.points=$1"; }
 compare() { # WHAT RANKS JOB ARGUMENT...
