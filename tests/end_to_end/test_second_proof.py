@@ -59,6 +59,13 @@ def test_where_nothing_has_a_proof_that_is_told(tmp_path):
     assert finished.returncode == 0 and "no periodic cell with q up to 8 has a proof, so none was proved again" in finished.stdout
 
 
+def test_of_an_unfinished_file_it_is_told_how_much_is_there(tmp_path):
+    jobs.write(tmp_path, text(2, '"orbit"'))
+    assert launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path).returncode == 5
+    told = check(tmp_path / "job.h5").stdout.splitlines()
+    assert told[0].endswith("job.h5: incomplete: 0.0 % computed") and "none was proved again" in told[1]
+
+
 def test_one_with_a_cubic_spring_is(tmp_path):
     path = solved(tmp_path, text(3, '"orbit"', jobs.RIG.replace("[cart]", "cubic_stiffness_n_per_m3 = 238.23\n[cart]")))
     assert ": 1 confirmed, 0 not decided, 0 contradicted" in check(path, "--cells", "1", "--max-period", "1").stdout

@@ -24,7 +24,7 @@ from ..files.job_numbers import UnreadableJob, tables_of
 from ..files.regimes import PERIODIC
 from ..maps.map_file import PeterkaFile
 from ..second_proof.cells import CONFIRMED, CONTRADICTED, NOT_DECIDED, Claim, axes_of, numbers_of_cell, verdict_of
-from .command_line import BAD_INPUT, DONE, OneLineParser, complain, exit_code, tell
+from .command_line import BAD_INPUT, DONE, OneLineParser, complain, exit_code, tell, tell_if_unfinished, working
 
 CONTRADICTION = 1
 BOUNDS = {"kelvin_voigt": ("peak_force_lower_ratio", "peak_force_upper_ratio"), "restitution": ("impact_speed_lower", "impact_speed_upper")}
@@ -43,11 +43,13 @@ def main() -> int:
 
 def check(file: PeterkaFile, cells: int, max_period: int, all_words: bool) -> int:
     """Prints what becomes of the claims; the exit code."""
+    tell_if_unfinished(file)
     words: Counter[str] = Counter()
     seconds = []
     for place, numbers, claim in claims_of(file, cells, max_period):
         begin = time.monotonic()
-        verdict = verdict_of(numbers, claim)
+        with working(place):
+            verdict = verdict_of(numbers, claim)
         seconds.append(time.monotonic() - begin)
         words[verdict.word] += 1
         if all_words or verdict.word != CONFIRMED:

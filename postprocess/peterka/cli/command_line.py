@@ -5,7 +5,10 @@ import errno
 import os
 import re
 import sys
-from collections.abc import Iterable, Sequence
+import threading
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any, NoReturn
 
@@ -107,6 +110,33 @@ def tell(line: object) -> None:
 def _drop_stdout() -> None:
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+@contextmanager
+def working(on: object) -> Iterator[None]:
+    """While its body runs, a line on a terminal says on what, and for how many seconds; it is gone afterwards."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield
+        return
+    terminal, done, begin = sys.stderr, threading.Event(), time.monotonic()
+
+    def write(text: str) -> None:
+        with suppress(OSError):
+            terminal.write(text)
+            terminal.flush()
+
+    def count() -> None:
+        while not done.wait(1):
+            write(f"\r{harmless(str(on), LONGEST_COMPLAINT)}: {time.monotonic() - begin:.0f} s")
+
+    thread = threading.Thread(target=count, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        done.set()
+        thread.join()
+        write("\r\x1b[K")
 
 
 def exit_code(outcome: int) -> int:

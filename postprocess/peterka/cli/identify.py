@@ -50,7 +50,7 @@ from ..identification.recorded_file import read_recording
 from ..identification.rig_file import identified_text, rig_text
 from ..identification.words import recording_lines, result_lines
 from .command_line import (
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell, working,
 )
 from .identify_sweep import add_sweep_arguments, check_sweep_arguments, identify_sweep
 
@@ -105,8 +105,9 @@ def identify(arguments: argparse.Namespace) -> tuple[list[Identified], list[Fit]
         if set(COLUMNS) & set(column_names(path)) and path in arguments.files:
             found.append(from_impact(arguments.mass_kg, *read_impacts(path)))
             continue
-        recording = read_recording(path, arguments.begin, arguments.end, arguments.layout)
-        one = (fit_driven if path in arguments.driven else fit)(recording, arguments.mass_kg, given(arguments))
+        with working(path):
+            recording = read_recording(path, arguments.begin, arguments.end, arguments.layout)
+            one = (fit_driven if path in arguments.driven else fit)(recording, arguments.mass_kg, given(arguments))
         found.append(one.found)
         drawn.append(one)
         for line in recording_lines(one):

@@ -16,7 +16,7 @@ from ..identification.sweep_words import point_lines
 from ..identification.words import result_lines
 from ..files.nearest import instead_of
 from ..files.whole_file import write_text
-from .command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell
+from .command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell, working
 
 OTHERS = ("files", "driven", "restitution", "speeds_m_s", "contact_time_ms", "columns", "scale", "sensitivity", "rate_hz", "begin", "end")
 OPTIONS = {"begin": "--from", "end": "--to", "files": "a recording"}
@@ -72,7 +72,8 @@ def identify_sweep(arguments: argparse.Namespace) -> int:
     """All of --sweep; the exit code."""
     try:
         model = model_of(arguments)
-        fit, told = judged(fitted(model))
+        with working(arguments.sweep):
+            fit, told = judged(fitted(model))
     except PeterkaError as refusal:
         complain(refusal)
         return BAD_INPUT
