@@ -38,7 +38,7 @@ std::string lives_summary(const scene::Scene& scene, const findings::LifeFinding
     }
     if (ending < motions) {
         text += fmt::format(
-            "  {:>9} of these: fewer than 3 lives seen to end; each lasts {:.2g} s or longer, roughly\n",
+            "  {:>9} of these: fewer than 4 lives seen to end; each lasts {:.2g} s or longer, roughly\n",
             readable_share(motions - ending, motions), all.least_bound);
     }
     return text;

@@ -115,6 +115,53 @@ def test_a_driven_stop_that_is_no_spring_and_dashpot_is_told(tmp_path, run_progr
     assert words in out + err and code == (2 if "only if" in words else 0), out + err
 
 
+SETTLED = slice(int(0.24 * RATE), None)  # of shaken(): its impacts are alike from there on
+
+
+def identified_driven(path, columns, run_program):
+    return run_program("identify", "--driven", write(path, shaken()[0][SETTLED], columns), "--mass-kg", HAMMER.mass, "--formats", "png")
+
+
+@pytest.mark.parametrize("amplitude, cart_hertz, begin, share, seed", [(1e-3, 32.0, 0.24, 0.97, 1), (0.6e-3, 45.0, 1.0, 0.98, 2)])
+def test_a_charge_amplifier_that_saturates_is_told(tmp_path, run_program, amplitude, cart_hertz, begin, share, seed):
+    """Before noise, so that no two samples are alike. At 32 Hz more is left in contact than elsewhere; at 45 Hz fast springs take up the flat tops, and
+    ki was off by 30 % without a word."""
+    force = simulate(driven(HAMMER, amplitude, cart_hertz, start=0.0), begin + 0.21, RATE)[1]["force"][int(begin * RATE):]
+    path = write(tmp_path / "a.csv", np.arange(len(force)) / RATE, noisy({"force": np.minimum(force, share * force.max())}, ["force"], 0.01, seed))
+    code, out, err = run_program("identify", "--driven", path, "--mass-kg", HAMMER.mass, "--formats", "png")
+    assert (code, err) == (0, "") and "saturates" in out, out + err
+
+
+def test_samples_that_heap_at_the_end_of_a_range_are_clipped(tmp_path, run_program):
+    """Single ones in each impact, amid noise."""
+    force = noisy(shaken()[1], ["force"], 0.02, 1)["force"][SETTLED]
+    limit = np.sort(force)[-12]
+    code, _, err = identified_driven(tmp_path / "a.csv", {"force": np.minimum(force, limit)}, run_program)
+    assert code == 2 and f"is clipped: its force is {limit:.4g}, and never beyond, in 12 samples" in err, err
+
+
+@pytest.mark.parametrize("end", [1, -1])
+def test_a_clipped_displacement_is_told(tmp_path, run_program, end):
+    time, columns = release()
+    after = end * columns["displacement"][np.argmax(columns["force"] > 0):]
+    displacement = end * np.minimum(end * columns["displacement"], 0.8 * after.max())
+    path = write(tmp_path / "a.csv", time, {**noisy(columns, ["force"], 0.003, 1), "displacement": displacement})
+    code, _, err = run_program("identify", path, "--mass-kg", HAMMER.mass)
+    assert code == 2 and "is clipped: its displacement is" in err, err
+
+
+def test_eight_bits_are_no_other_stop(tmp_path, run_program):
+    """Nor clipped. Between impacts nothing is left of such a force, of which much was left in contact."""
+    time, columns = shaken()
+    step = np.abs(columns["force"]).max() / 128
+    rounded = {"force": step * np.rint(columns["force"] / step), "displacement": columns["displacement"]}
+    code, out, err = run_program("identify", "--driven", write(tmp_path / "a.csv", time, rounded), "--mass-kg", HAMMER.mass, "--formats", "png")
+    assert (code, err) == (0, "") and "in contact" not in out and "aren't those" not in out, out
+    for name in ("stop's stiffness ki", "stop's damping ci"):
+        value, error = numbers(out)[name]
+        assert abs(value - TRUE[name]) < 3 * error < 0.1 * TRUE[name], (name, value, error)
+
+
 def test_errors_are_those_of_repetition():
     """A few of the hundreds of cases of tests/endurance.sh identification."""
     pulls = [pulls_of(HAMMER, release(), names, noise, seed) for seed, (names, noise) in enumerate(

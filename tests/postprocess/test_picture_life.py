@@ -11,7 +11,8 @@ NO_IMPACT, PERIODIC, CHAOTIC, UNRESOLVED = 0, 1, 2, 4
 NAN = np.nan
 
 
-def test_the_first_settled_motion_that_was_followed_is_shown():
+def test_the_first_settled_motion_is_shown_or_none():
+    """Not the life of another one, on which hardly a start ends, where the first wasn't followed."""
     regime = np.zeros((1, 4), int)
     of = np.array([[[CHAOTIC, PERIODIC, PERIODIC, CHAOTIC]], [[PERIODIC, NO_IMPACT, NO_IMPACT, UNRESOLVED]]])
     life = np.array([[[7.0, NAN, 3.0, 7.0]], [[5.0, 2.0, 1.0, NAN]]])
@@ -19,6 +20,8 @@ def test_the_first_settled_motion_that_was_followed_is_shown():
     shown, bound = life_map._settled(regime, of, life, least)
     assert np.array_equal(shown, [[5.0, NAN, 3.0, NAN]], equal_nan=True)  # chaos that dies by itself is none
     assert np.array_equal(bound, [[NAN, 90.0, NAN, NAN]], equal_nan=True)
+    life[0, 0, 2] = least[0, 0, 1] = NAN
+    assert np.array_equal(life_map._settled(regime, of, life, least)[0], [[5.0, NAN, NAN, NAN]], equal_nan=True)
 
 
 def test_without_starts_it_is_the_cells_own():

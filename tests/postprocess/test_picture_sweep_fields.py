@@ -109,6 +109,20 @@ def test_lives_have_a_logarithmic_scale_and_a_mark_where_one_stands_alone(tmp_pa
     assert not any(line.get_marker() == LOOKS["up"].marker and len(line.get_xdata()) for line in panel.lines)  # "no period"
 
 
+def test_lives_have_errors_and_a_mark_where_only_a_bound_is_known(tmp_path):
+    lives, errors, least = (np.full(SHAPE, np.nan) for _ in range(3))
+    lives[0, :3], errors[0, :3] = [1.0, 10.0, 100.0], [0.1, 2.0, 30.0]
+    least[0, 4:6], least[2, 7] = [5e3, 6e3], 7e3
+    first, second = drawn(write_fields(tmp_path / "a.h5", mean_life_s=lives, mean_life_error_s=errors, mean_life_least_s=least), "life")
+    for panel, x, y in ((first, FREQUENCY[4:6], [5e3, 6e3]), (second, FREQUENCY[7:8], [7e3])):
+        bounds = [point for line in panel.lines if line.get_marker() == "^" for point in line.get_xydata().tolist() if np.isfinite(point[1])]
+        assert bounds == np.column_stack([x, y]).tolist()
+        assert panel.get_ylim()[1] > max(y)
+    bars = [segment for bar in first.collections for segment in bar.get_segments() if len(segment)]
+    assert np.concatenate([bar[:, 1] for bar in bars]) == pytest.approx([0.9, 1.1, 8.0, 12.0, 70.0, 130.0])
+    assert "lasts at least, roughly" in legend_texts(first.figure)
+
+
 def test_a_dataset_of_another_shape_is_no_field(tmp_path):
     with SweepFile(write_fields(tmp_path / "a.h5", impulse=RISING[:, :-1], orbit_velocity=RISING)) as file:
         assert pictures_of(file).keys() == {"response", "bifurcation", "bifurcation_impact"}

@@ -66,7 +66,7 @@ TEST(LivesSummary, TellsTheShortestLifeAndTheLeastBound) {
     EXPECT_NE(text.find("50.0 % of these: seen to end; the shortest mean life is 3 +- 0.2 s, at Omega/omega 1"),
               text.npos)
         << text;
-    EXPECT_NE(text.find("fewer than 3 lives seen to end; each lasts 70 s or longer, roughly"), text.npos)
+    EXPECT_NE(text.find("fewer than 4 lives seen to end; each lasts 70 s or longer, roughly"), text.npos)
         << text;
     EXPECT_NE(text.find("1 settled motion was not followed: the engine could not, the noise is far too strong, "
                         "or it takes more than 5000 forcing cycles to relax"),

@@ -15,7 +15,7 @@ from ..errors import PeterkaFileError
 from .first_guess import Guess
 from .problem import SHARP
 from .recording import Recording
-from .solve import Solved, settle
+from .solve import Solved, left_outside_and_in_contact, settle
 from .starts import Begin
 
 CHANCE = 1e-6  # significance level below which residuals are not noise
@@ -99,6 +99,18 @@ def _impacts_left(found: Solved, alone: Solved) -> tuple[float, float]:
     alike = likeness_of(alone)  # as errors allow for it: what changes slowly is that much larger
     ratio = (whole - itself) / own / (itself / (count - own)) * (1 - alike) / (1 + alike)
     return float(f.sf(ratio, own, count - own)), float(np.sqrt(whole / itself))
+
+
+def more_left_in_contact(found: Solved) -> float:
+    """The probability that noise leaves that much more in contact than elsewhere (F test), the smallest of all signals."""
+    problem, least = found.problem, 1.0
+    for name in problem.names:
+        outside, inside = left_outside_and_in_contact(found, name)
+        own = len(problem.parameters) / len(problem.names)
+        if len(outside) >= FEWEST and len(inside) > own + FEWEST:
+            ratio = float(np.sum(inside**2)) / (len(inside) - own) / max(float(np.mean(outside**2)), problem.noise[name]**2)
+            least = min(least, float(f.sf(ratio, len(inside) - own, len(outside))))
+    return least
 
 
 def likeness_of(found: Solved) -> float:

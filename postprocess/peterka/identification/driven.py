@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..errors import PeterkaFileError
-from .adequacy import refuse_contradicting
+from .adequacy import more_left_in_contact, refuse_contradicting
 from .first_guess import Guess, look
 from .fit import Fit, finished, telling
 from .problem import SLOW, Problem
@@ -22,6 +22,8 @@ WEAKEST = 0.1  # of the hardest impact: weaker impacts carry little information
 MOST = 20  # impacts that are fitted, evenly selected
 PUSHES = 2.0  # standard deviation of a push over the mean push between impacts
 LARGE = 2.0  # standard deviations: larger ones were in 1 of 56 fits of random springs and dashpots (the largest 2.4)
+FAST = 1.5  # the same of ln omega, which takes up a flat top
+CHANCE = 3e-3  # of residuals in contact that are that much larger than elsewhere
 SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and standard deviation; ln omega relative to the impacts' rate
 
 
@@ -63,18 +65,19 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
 
 
 def _by_spring_and_dashpot(fit: Fit) -> Fit:
-    """The Fit, with a doubt where residuals of neighbouring samples in contact are alike or pushes are large, since these take up whatever of
-    the force a spring and a dashpot don't explain; raises PeterkaFileError where they are larger than springs and cart can be."""
+    """The Fit, with a doubt where residuals in contact are larger than elsewhere, or of neighbouring samples alike, or where pushes are large or
+    springs fast, since these take up whatever of the force a spring and a dashpot don't explain; raises PeterkaFileError where they are larger than springs and cart can be."""
     problem, value = fit.solved.problem, fit.solved.value
     sizes = np.array([(value[name] - mean) / deviation for name, (mean, deviation) in problem.prior.items() if name not in SPRINGS])
     largest = float(np.max(np.abs(sizes)))
+    is_fast = "omega" in problem.prior and abs(value["omega"] - problem.prior["omega"][0]) > FAST * problem.prior["omega"][1]
     spread = problem.prior["mean_cos"][1]
     hardest = PUSHES * max(abs(value["mean_cos"] + value[f"push_cos {number}"]) for number in range(len(problem.legs))) / spread
     if np.mean(sizes**2) > 1:
         raise PeterkaFileError(f"{fit.recording.path} doesn't tell the stop: a spring and a dashpot explain its impacts only if springs and cart push, in "
                                f"impacts, up to {hardest:.2g} times as hard as between them. The stop is more than these two, or the sensor rings, "
                                "saturates or is filtered")
-    if fit.likeness > 0 or largest > LARGE:
+    if fit.likeness > 0 or largest > LARGE or more_left_in_contact(fit.solved) < CHANCE or is_fast:
         return replace(fit, doubts=["the forces in its impacts aren't those of a spring and a dashpot alone: the stop is more than these two, or the "
                                     "sensor rings, saturates or is filtered, and the numbers may be off by more than their errors"])
     return fit

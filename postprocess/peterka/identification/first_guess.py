@@ -16,6 +16,8 @@ OVER_NOISE = 8  # detection threshold, in standard deviations of the noise
 OVER_SMOOTHED = 6  # the same once the duration of contacts is known
 WEAKEST = 0.01  # of the hardest impact
 FLAT_TOP = 0.15  # of the width of a pulse: a flat top longer than this was clipped
+FEWEST_CLIPPED = 4  # samples at a signal's end of range
+HEAPED = 5.0  # times as many there as at the next value: a smooth top has 2.4 at most, whatever the resolution
 BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: recording length over the averaging window
 REACH = 0.1  # of its peak: level at which a pulse begins and ends
 LOOKED_AT = 1_000_000  # samples at most for a median
@@ -38,12 +40,13 @@ class Pulse:
 @dataclass(frozen=True)
 class Guess:
     """`signs` {signal: +1 or -1} that map the recorded signals to the model's; offsets in recorded units, noise as a
-    standard deviation; `sharp`: the signal that showed the `pulses`, which are in order of time; None if a displacement did."""
+    standard deviation, `resolution`: the smallest step between values; `sharp`: the signal that showed the `pulses`, which are in order of time; None if a displacement did."""
 
     signs: dict[str, int]
     offsets: dict[str, float]
     noise: dict[str, float]
     ranges: dict[str, float]
+    resolution: dict[str, float]
     sharp: str | None
     pulses: list[Pulse]
 
@@ -76,7 +79,7 @@ def look(recording: Recording) -> Guess:
     if not pulses:
         raise PeterkaFileError(f"{recording.path} shows no impact: its {sharp} never stands out of the rest by "
                           f"{OVER_NOISE} times the noise")
-    guess = Guess({}, offsets, noise, ranges, sharp, pulses)
+    guess = Guess({}, offsets, noise, ranges, {name: _resolution(values) for name, values in signals.items()}, sharp, pulses)
     hardest = pulses[guess.hardest]
     if sharp is None:
         guess.signs["displacement"] = sign
@@ -88,6 +91,7 @@ def look(recording: Recording) -> Guess:
         if "displacement" in signals:
             guess.signs["displacement"] = _sign_of_displacement(signals["displacement"], hardest)
     guess.signs.update({name: 1 for name in signals if name.startswith("cart_")})
+    _refuse_heaped(recording, guess)
     return guess
 
 
@@ -182,6 +186,40 @@ def _refuse_clipped(recording: Recording, name: str, values: Reals, pulse: Pulse
     if run >= 3 and run > FLAT_TOP * (pulse.last - pulse.first):
         raise PeterkaFileError(f"{recording.path} is clipped: its {name} stays at {height:.4g} for {run} samples at the top of the "
                           f"hardest impact, at {recording.begin + pulse.top * recording.step:.6g} s; record with a larger range")
+
+
+def _refuse_heaped(recording: Recording, guess: Guess) -> None:
+    """Raises PeterkaFileError where a signal's samples heap at an end of its range: forces and accelerations of the impacts at that
+    towards which impacts go, displacements from the first impact on at either; before a release the hammer is held."""
+    for name, values in recording.signals.items():
+        if name in SHARP:
+            towards = guess.signs[name] if name == "force" else -guess.signs[name]
+            inside = np.concatenate([np.arange(pulse.first, pulse.last) for pulse in guess.pulses])
+            ends = [(towards, np.asarray(values[inside], dtype=float))]
+        else:
+            ends = [(end, np.asarray(values[guess.pulses[0].first:], dtype=float)) for end in (1, -1)]
+        for end, piece in ends:
+            last, times = _heap(float(end) * piece)
+            if times:
+                raise PeterkaFileError(f"{recording.path} is clipped: its {name} is {end * last:.4g}, and never beyond, in {times} samples; record with a "
+                                  "larger range")
+
+
+def _heap(values: Reals) -> tuple[float, int]:
+    """(largest value, number of samples there), 0 if these are no more than a smooth top has."""
+    values = values[np.isfinite(values)]
+    if not len(values):
+        return np.nan, 0
+    largest, near = float(values.max()), 1e-9 * float(np.ptp(values))
+    others = values[values < largest - near]
+    there = len(values) - len(others)
+    next_to_it = int(np.sum(others >= others.max() - near)) if len(others) else 0
+    return largest, there if there >= FEWEST_CLIPPED and there > HEAPED * next_to_it else 0
+
+
+def _resolution(values: Reals) -> float:
+    steps = np.diff(np.unique(_some(values)))
+    return float(np.min(steps[steps > 0], initial=np.inf)) if np.any(steps > 0) else 0.0
 
 
 def _sign_at(values: Reals, offset: float, pulse: Pulse, turn: int) -> int:

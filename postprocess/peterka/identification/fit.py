@@ -195,7 +195,7 @@ def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> 
 def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequence[Impact], unused: Sequence[str] = ()) -> Fit:
     """Solves again with the residual noise level, and updates the errors accordingly."""
     problem = found.problem
-    noise, more = levels(found)
+    noise, more = levels(found, guess.resolution)
     problem = replace(problem, noise={**problem.noise, **noise}, extra_noise=more)
     best = solved(problem, found.value)
     likeness = likeness_of(best)

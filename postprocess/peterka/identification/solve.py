@@ -143,16 +143,22 @@ def _together(problem: Problem, settled: Sequence[Settled]) -> float:
     return float(np.sqrt(np.linalg.eigvalsh(1 - 6 * apart * (1 - apart))[-1])) if len(touches) else 1.0
 
 
-def levels(found: Solved) -> tuple[dict[str, float], dict[str, float]]:
-    """({signal: root mean square of the residuals outside contact}, {signal: ratio of that in contact to it, at least 1})."""
+def levels(found: Solved, resolution: Mapping[str, float] | None = None) -> tuple[dict[str, float], dict[str, float]]:
+    """({signal: root mean square of the residuals outside contact}, {signal: ratio of that in contact to it, at least 1}).
+    `resolution` {signal: its smallest step}: values that are rounded to it have an error of their own."""
     noise, more = {}, {}
     for name in found.problem.names:
-        outside, inside = [np.concatenate(parts) for parts in zip(*(
-            _parts(found, number, name) for number in range(len(found.problem.legs))))]
+        outside, inside = left_outside_and_in_contact(found, name)
         level = _level(outside if len(outside) >= FEWEST else inside)
-        noise[name] = max(level, LEAST_NOISE * found.problem.ranges[name])
+        noise[name] = max(level, LEAST_NOISE * found.problem.ranges[name], (resolution or {}).get(name, 0.0) / np.sqrt(12))
         more[name] = max(1.0, _level(inside) / noise[name]) if len(inside) >= FEWEST else 1.0
     return noise, more
+
+
+def left_outside_and_in_contact(found: Solved, name: str) -> tuple[Reals, Reals]:
+    """Residuals of a signal in all legs: outside contact, scaled to a single sample's noise; in contact."""
+    outside, inside = [np.concatenate(parts) for parts in zip(*(_parts(found, number, name) for number in range(len(found.problem.legs))))]
+    return outside, inside
 
 
 def _parts(found: Solved, number: int, name: str) -> tuple[Reals, Reals]:

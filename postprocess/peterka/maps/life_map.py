@@ -64,13 +64,13 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
 
 
 def _settled(regime: Integers, *of_motions: NDArray[Any]) -> tuple[Reals, Reals]:
-    """The mean life, and its bound, of the first slot with a settled motion that was followed, or of the cell: (rows, columns)."""
+    """The mean life, and its bound, of the first slot with a settled motion, or of the cell: (rows, columns); NaN where it wasn't followed."""
     of, life, least = of_motions if len(of_motions) == 3 else (regime, *of_motions)
     settled = np.isin(of, [NO_IMPACT, PERIODIC, SUSTAINED_CONTACT])
     life, least = (np.where(settled & (values > 0) & np.isfinite(values), values, np.nan) for values in (life, least))
     if life.ndim == 2:
         return life, least
-    first = np.argmax(np.isfinite(life) | np.isfinite(least), axis=0)[None]
+    first = np.argmax(settled, axis=0)[None]
     return np.take_along_axis(life, first, axis=0)[0], np.take_along_axis(least, first, axis=0)[0]
 
 

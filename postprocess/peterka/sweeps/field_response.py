@@ -4,9 +4,11 @@ Periodic motions are lines, which end where the file tells a jump; those of othe
 """
 
 import textwrap
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
@@ -31,6 +33,8 @@ ELASTICITIES = {f"elasticity_{number}": [f"{result}_elasticity_{number}" for res
 PICTURES = {name: [name] for name in (*TITLES, *NUMBERS, CYCLES) if not name.startswith("orbit")} | {LIFE: ["mean_life_s"]} | ELASTICITIES
 FROM_ZERO = {*TITLES, CYCLES, *(name for name, number in NUMBERS.items() if number.from_zero)} - set(FAR_FROM_ZERO)
 MARGIN = 0.05  # of a panel's height, above and below the values
+LEAST, LIFE_ERROR = "mean_life_least_s", "mean_life_error_s"
+BOUND: dict[str, Any] = {"marker": "^", "markersize": 3, "markerfacecolor": "none", "markeredgewidth": 0.6}
 LETTERS = 30  # in a line of the name of a scale
 
 
@@ -45,7 +49,9 @@ def draw(file: SweepFile, ax: Axes | None = None, *, name: str) -> list[Axes] | 
     dataset = _dataset(file, name)
     assert dataset is not None
     values = {branch.row: _values(file, dataset, branch) for branch in file.branches}
-    every = np.concatenate(list(values.values()))
+    bounds = {row: np.where(np.isfinite(values[row]), np.nan, least) for row, least in _rows_of(file, LEAST, name == LIFE).items()}
+    errors = _rows_of(file, LIFE_ERROR, name == LIFE)
+    every = np.concatenate([*values.values(), *bounds.values()])
     every = every[np.isfinite(every)]
     if not np.any(every != 0):
         return None
@@ -53,13 +59,23 @@ def draw(file: SweepFile, ax: Axes | None = None, *, name: str) -> list[Axes] | 
     limits = requested(file, every, scale.in_si, scale.ratio)
     log = (style.scale_option("log") or name == LIFE) and every.min() > 0  # lives differ by powers of ten
     second = scale.second and (_in_lines(scale.second[0]), scale.second[1])
-    panels = sweep_panels.panels(file, sweep_panels.direction_handles(file, lambda branch: values[branch.row]), _in_lines(scale.label), second, ax, log=log)
+    handles = sweep_panels.direction_handles(file, lambda branch: values[branch.row])
+    if any(np.isfinite(least).any() for least in bounds.values()):
+        handles.append(Line2D([], [], label="lasts at least, roughly", color="black", linestyle="none", **BOUND))
+    panels = sweep_panels.panels(file, handles, _in_lines(scale.label), second, ax, log=log)
     if limits and log:
         limits = limits[0] if limits[0] > 0 else 0.9 * float(every.min()), limits[1]
     for gap, panel in panels.items():
         for branch in file.at_gap(gap):
             sweep_panels.draw_branch(panel, file, branch, scale.factor * values[branch.row])
-        own = np.concatenate([values[branch.row] for branch in file.at_gap(gap)])
+            look = sweep_panels.LOOKS[branch.direction]
+            if branch.row in errors:
+                told = np.isfinite(values[branch.row]) & np.isfinite(errors[branch.row])
+                panel.errorbar(file.values[told], values[branch.row][told], errors[branch.row][told], linestyle="none", ecolor=look.colour,
+                               elinewidth=0.4, zorder=look.zorder)
+            if branch.row in bounds:
+                panel.plot(file.values, bounds[branch.row], color=look.colour, linestyle="none", zorder=look.zorder, **BOUND)
+        own = np.concatenate([each[branch.row] for branch in file.at_gap(gap) for each in (values, bounds) if branch.row in each])
         panel.set_ylim(*(scale.factor * end for end in limits or _ends(own[np.isfinite(own)], every, name in FROM_ZERO, log)))
     return list(panels.values())
 
@@ -79,6 +95,11 @@ def _values(file: SweepFile, dataset: str, branch: Branch) -> Reals:
     """Of a branch, (points,); NaN where there is none, which of whole numbers is below 0."""
     stored = file.data.values(dataset, branch.row)
     return np.where(stored < 0, np.nan, stored) if stored.dtype.kind in INTEGER else np.asarray(stored, dtype=float)
+
+
+def _rows_of(file: SweepFile, dataset: str, wanted: bool) -> dict[int, Reals]:
+    """{row: (points,)} of a dataset that is wanted and in the file; else empty."""
+    return {branch.row: _values(file, dataset, branch) for branch in file.branches if wanted and file.data.has(dataset)}
 
 
 def _ends(own: Reals, every: Reals, from_zero: bool, log: bool) -> tuple[float, float]:
