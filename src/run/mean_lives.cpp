@@ -19,7 +19,8 @@ std::uint64_t seed_of(std::int64_t cell, const scene::State<double>& point) {
     return of_point.bits() ^ std::bit_cast<std::uint64_t>(point[1]);
 }
 
-// Without the cubic term, where that map returns to the orbit's point: then the motion was found without it.
+// Without the cubic term, where it may be left out and that map returns to the orbit's point: then the motion
+// was found without it.
 std::optional<noise::MeanLife> life_of(const scene::Cell& cell, const job::Job& job,
                                        const scene::State<double>& point, int period, std::uint64_t seed) {
     const noise::Disturbance disturbance = noise::disturbance_of(job.noise, cell.scales);
@@ -30,8 +31,8 @@ std::optional<noise::MeanLife> life_of(const scene::Cell& cell, const job::Job& 
         if (!home) return std::nullopt;
         return noise::mean_life(map, *home, job.noise.cycles, seed);
     };
-    const bool may_omit =
-        job.solver.engine == job::EngineChoice::automatic || job.solver.engine == job::EngineChoice::exact;
+    const bool may_omit = job.solver.engine == job::EngineChoice::exact ||
+                          (job.solver.engine == job::EngineChoice::automatic && job.solver.omit_tolerance > 0);
     if (may_omit && !regime::has_nonlinear_contact(cell.oscillator)) {
         auto life = with(scene::without_cubic(cell.oscillator), {});
         if (life || cell.oscillator.cubic == 0) return life;

@@ -10,7 +10,6 @@
 #include "job/branches.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/samples.hpp"
-#include "noise/disturbed_map.hpp"
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
 #include "regime/branch.hpp"
@@ -208,51 +207,18 @@ std::string certificate_price(const job::Job& job) {
     return text;
 }
 
-// The engine that settled motions are probably followed by; a reach of ten amplitudes is that of most motions.
-regime::Engine engine_of_lives(const job::Job& job) {
-    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
-    constexpr double reach = 10;
-    const bool omits = job.solver.engine == job::EngineChoice::automatic &&
-                       !regime::has_nonlinear_contact(rig) &&
-                       regime::effect_of_cubic(rig, reach) <= job.solver.omit_tolerance;
-    return omits ? regime::Engine::exact : regime::EngineByReach(rig, job.solver, reach).settings().engine;
-}
-
-// Processor time of a cell's life. Per disturbed cycle with 16 changes, in paths and around them, as measured
-// on the paper's rig of 170 mm: 2 to 3 us in closed form, 30 us with its cubic springs, 1 ms by
-// integrators; and for the extent of home some 20 cycles per cycle that the free motion takes to relax.
-double seconds_of_life(const scene::Oscillator<double>& oscillator, const job::Noise& noise,
-                       double seconds_per_cycle) {
-    constexpr double of_home = 20;
-    constexpr double usual_changes = 16;
-    const double to_relax = std::min(oscillator.frequency / (2 * std::numbers::pi * oscillator.damping_ratio),
-                                     noise.most_to_relax());
-    const double changes = noise::changes_per_cycle(oscillator.period()) / usual_changes;
-    return (static_cast<double>(noise.cycles) + of_home * to_relax) * changes * seconds_per_cycle;
-}
-
 std::string noise_price(const job::Job& job) {
     if (!job.noise.any()) return "";
-    constexpr std::int64_t most_per_axis = 16;
-    const regime::Engine engine = engine_of_lives(job);
-    const double of_cycle = engine == regime::Engine::exact   ? 3e-6
-                            : engine == regime::Engine::split ? 3e-5
-                                                              : 1e-3;
-    const scene::Scene scene(job);
-    const std::int64_t rows = std::min(most_per_axis, scene.rows());
-    const std::int64_t columns = std::min(most_per_axis, scene.columns());
-    double seconds = 0;
-    for (std::int64_t row = 0; row < rows; ++row) {
-        for (std::int64_t column = 0; column < columns; ++column) {
-            const scene::Cell cell = scene.cell(row * scene.rows() / rows, column * scene.columns() / columns);
-            seconds +=
-                seconds_of_life(cell.oscillator, job.noise, of_cycle) / static_cast<double>(rows * columns);
-        }
-    }
-    return fmt::format("#   noise    some {} of one core for each settled motion, {} if each {} has one\n",
-                       readable_duration(seconds),
-                       readable_duration(seconds * static_cast<double>(job.cells())),
-                       job.kind == job::Kind::sweep ? "point" : "cell");
+    const SampledLives lives = sample_lives(job);
+    const std::string_view place = job.kind == job::Kind::sweep ? "point" : "cell";
+    const double seconds = static_cast<double>(job.cells()) * lives.seconds;
+    const double margin = 2 * lives.relative_error;
+    return fmt::format(
+        "#   noise    lives of settled motions: some {} of one core more, {} to {}, by {} {}{} tried here in "
+        "{}\n",
+        readable_duration(seconds), readable_duration(seconds / (1 + margin)),
+        readable_duration(seconds * (1 + margin)), readable_count(lives.cells), place,
+        lives.cells == 1 ? "" : "s", readable_duration(lives.spent));
 }
 
 // Processor time per place on the plane of the paper's rig of 170 mm, as measured beside many other processes:

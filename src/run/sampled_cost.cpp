@@ -16,6 +16,7 @@
 #include "regime/engine.hpp"
 #include "run/audit_sample.hpp"
 #include "run/known_attractors.hpp"
+#include "run/mean_lives.hpp"
 #include "run/solve_tiles.hpp"
 #include "scene/scene.hpp"
 
@@ -202,6 +203,48 @@ std::vector<double> times_of_parts(
     return seconds;
 }
 
+// Time of the lives of a cell of a map or a point of a sweep [s]. counted: without noise.
+double seconds_of_lives(const job::Job& counted, const job::Job& noisy, std::int64_t cell) {
+    const bool is_sweep = noisy.kind == job::Kind::sweep;
+    const std::int64_t columns = counted.columns.points;
+    std::int64_t row = cell / columns;
+    double places = 1;  // that share these attractors
+    std::vector<attractors::CellAttractor> kept;
+    cell::CellResult own;
+    if (is_sweep) {
+        const scene::Scene part(part_of(counted, cell % columns, 1));
+        const auto look = [] {};
+        if (counted.starts.count > 0) {
+            const std::int64_t of_gap = job::branches_of_a_gap(counted.sweep);
+            row -= row % of_gap;
+            places = static_cast<double>(of_gap);
+            kept = attractors::find_along_branch(part, row, look).front().kept;
+        } else {
+            own = regime::follow_branch(part, row, look).front().cell;
+        }
+    } else {
+        const scene::Scene scene(counted);
+        const TileWork work{
+            .begin =
+                [](const parallel::Tile& tile) {
+                    return std::vector<parallel::CellIndex>{{tile.row, tile.column}};
+                },
+            .go_on =
+                [&](const parallel::Tile&, std::span<const attractors::SolvedCell> solved, double) {
+                    own = solved.front().cell;
+                    kept = solved.front().attractors;
+                    return std::vector<parallel::CellIndex>();
+                }};
+        parallel::ListedTiles source({{0, row, cell % columns, {1, 1}}});
+        solve_tiles(scene, regime::AttractorTable(), work, source);
+    }
+    const scene::Scene scene(noisy);
+    const double begin = processor_time();
+    add_mean_life(scene, row, cell % columns, own);
+    for (attractors::CellAttractor& each : kept) add_mean_life(scene, row, cell % columns, each);
+    return (processor_time() - begin) / places;
+}
+
 // Each point of a branch but the first begins on the motion of the one before it. What is found from many
 // starts or rigs serves all branches of a gap.
 SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool integrates) {
@@ -317,6 +360,30 @@ SampledCost sample_cost(const job::Job& job) {
     }
     cost.spent = processor_time() - begin;
     return cost;
+}
+
+SampledLives sample_lives(const job::Job& job) {
+    constexpr double longest = 3;  // [s]
+    constexpr std::int64_t most = 64;
+    const bool integrates = only_integrators(scene::Scene(job)) || asks_for_integrator(job);
+    const std::int64_t most_cycles = integrates ? 4000 : 200'000;  // of a motion
+    const job::Job counted = counted_job(job, only_integrators(scene::Scene(job)));
+    job::Job noisy = counted;
+    noisy.noise = job.noise;
+    noisy.noise.cycles = std::min(job.noise.cycles, most_cycles);
+    noisy.solver = job.solver;
+    const std::int64_t size = std::min(most, job.cells());
+    const double begin = processor_time();
+    std::vector<double> seconds;
+    for (std::int64_t n = 0; n < size && processor_time() - begin < longest; ++n) {
+        const std::int64_t cell = audited_cell(spread_place(n, size), size, job.cells());
+        seconds.push_back(seconds_of_lives(counted, noisy, cell));
+    }
+    const double scale = static_cast<double>(job.noise.cycles) / static_cast<double>(noisy.noise.cycles);
+    return {.cells = std::ssize(seconds),
+            .spent = processor_time() - begin,
+            .seconds = scale * mean(seconds),
+            .relative_error = std::ssize(seconds) == job.cells() && scale == 1 ? 0 : relative_error(seconds)};
 }
 
 }  // namespace peterka

@@ -22,6 +22,17 @@ struct SampledCost {
 // integrated, a second or two.
 [[nodiscard]] SampledCost sample_cost(const job::Job& job);
 
+struct SampledLives {
+    std::int64_t cells = 0;     // of the sample
+    double spent = 0;           // on it [s of one core]
+    double seconds = 0;         // of the lives of a cell, or of a sweep's point, of one core
+    double relative_error = 0;  // standard error of that, over it; 0 if all were tried
+};
+
+// Of the lives under [noise] of a map or sweep: of a few cells they are computed, which takes two seconds, and
+// more where each life does.
+[[nodiscard]] SampledLives sample_lives(const job::Job& job);
+
 // Time of a forcing cycle of such a job with everything that it entails, on one core with AVX-512, as measured
 // once (with AVX2 a cycle in the batch takes 1.5 times as long) [s].
 [[nodiscard]] double usual_cycle_time(const job::Job& job);
