@@ -78,7 +78,7 @@ def identify_sweep(arguments: argparse.Namespace) -> int:
         complain(refusal)
         return BAD_INPUT
     result = identified_from_sweep(fit)
-    weak = hardly_told(fit, result)
+    weak = hardly_told(fit, result, bool(told))
     for line in [*model.points.left_out, *point_lines(fit), *result_lines(result), *(f"  {line}" for line in gap_lines(model, result))]:
         tell(line)
     for line in [*told, *weak]:

@@ -4,16 +4,17 @@ as well, and numbers that they hardly tell."""
 from collections.abc import Iterator
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.stats import chi2, f, norm, t
 
-from ..arrays import Reals
+from ..arrays import Mask, Reals
 from ..errors import PeterkaFileError
 from .numbers_found import DAMPING, GAP, STIFFNESS, Identified, Number
-from .sweep_fit import OUTLYING, Model, SweepFit, far, near, with_covariance
+from .sweep_fit import OUTLYING, Model, SweepFit, far, near, widened, with_covariance
 from .twins import OUTSIDE, RULED_OUT
 from .words import number_text
 
-CHANCE, ONE_SIDED = 1e-3, 1.645  # significance of a misfit; standard errors below which 95 % lie
+CHANCE, ONE_SIDED = 1e-3, 0.95  # significance of a misfit; probability of a bound
+RARE = 0.01  # the same of a scatter that is larger than that from neighbour to neighbour
 ALIKE, MOST_ALIKE = 3.1, 0.9  # standard deviations of a correlation of neighbours; largest that errors allow for
 FEWEST = 8  # pairs of neighbours
 ILL = 1e4  # condition number of the normalised derivatives
@@ -67,8 +68,20 @@ def _apart(fit: SweepFit, x: Reals) -> bool:
 
 
 def _cost(fit: SweepFit, scatter: float) -> float:
-    """-2 ln of the likelihood of all points, but for a constant; one that no branch explains counts as far off as an outlier."""
-    return float(np.sum(np.minimum(np.nan_to_num(fit.left / scatter, nan=OUTLYING)**2, OUTLYING**2)))
+    """-2 ln of the likelihood of all points, but for a constant; one that no branch explains counts as far off as an outlier, but where the rig
+    has chaos or a narrow branch there, of which no force is known: as if it were as far off as others. Else a rig without chaos would always win."""
+    off = np.minimum(np.nan_to_num(fit.left / scatter, nan=OUTLYING)**2, OUTLYING**2)
+    return float(np.sum(np.where(_unforeseen(fit) & ~fit.used, np.minimum(off, 1.0), off)))
+
+
+def _unforeseen(fit: SweepFit) -> Mask:
+    """Where the rig has chaos or a narrow branch at a point's frequency, (points,)."""
+    model, found = fit.model, []
+    landscapes = model.landscapes(fit.x)
+    for hertz, which in zip(model.points.hertz, model.which):
+        there = landscapes[which]
+        found.append(there.other_at(float(hertz)) == "chaos" or any(one.is_narrow and one.beyond(float(hertz)) == 0 for one in there.strands))
+    return np.array(found)
 
 
 def _rig_words(fit: SweepFit) -> str:
@@ -94,9 +107,32 @@ def judged(fit: SweepFit) -> tuple[SweepFit, list[str]]:
                     "correlation of neighbours alone")
         most = min(alike, MOST_ALIKE)
         factor *= (1 + most) / (1 - most)
+    elif (more := _over_scatter(fit)) > 1:
+        told.append(f"the points differ from the best fit by {more:.2g} times their scatter from neighbour to neighbour: the model doesn't explain them, "
+                    "and its numbers may be those of quite another rig")
+        factor *= more**2
     if not fit.settled:
         told.append("the fit didn't settle: which points are on which branch still changes; a start that is nearer may help")
     return with_covariance(fit, factor), told
+
+
+def _over_scatter(fit: SweepFit) -> float:
+    """Scatter about the fit over that of each measured force about the line through its neighbours, where noise makes such a ratio in less than RARE
+    of all cases (F test); else 1. Curved branches, jumps and chaos make the second one larger, never smaller."""
+    points, which = fit.model.points, fit.model.which
+    off: list[float] = []
+    for gap in np.unique(which):
+        mine = np.flatnonzero(which == gap)
+        mine = mine[np.argsort(points.hertz[mine])]
+        hertz, force = points.hertz[mine], np.log(points.force[mine])
+        inner = (hertz[2:] > hertz[1:-1]) & (hertz[1:-1] > hertz[:-2])
+        share = ((hertz[1:-1] - hertz[:-2]) / np.maximum(hertz[2:] - hertz[:-2], 1e-300))[inner]
+        lines = (force[1:-1] - force[:-2])[inner] - share * (force[2:] - force[:-2])[inner]
+        off += list(np.abs(lines) / np.sqrt(1 + share**2 + (1 - share)**2))
+    if points.has_errors or len(off) < FEWEST:
+        return 1.0
+    ratio = fit.scatter / max(float(np.median(off)) / float(norm.ppf(0.75)), 1e-300)
+    return ratio if f.sf(ratio**2, max(fit.freedom, 1), len(off) / 3) < RARE else 1.0
 
 
 def likeness(fit: SweepFit) -> tuple[float, int]:
@@ -111,8 +147,8 @@ def likeness(fit: SweepFit) -> tuple[float, int]:
     return (1 - float(np.mean(np.square(steps))) / (2 * square) if steps and square > 0 else 0.0), len(steps)
 
 
-def hardly_told(fit: SweepFit, found: Identified) -> list[str]:
-    """Sentences on numbers that the points don't tell, and on those that ended at a bound."""
+def hardly_told(fit: SweepFit, found: Identified, doubted: bool) -> list[str]:
+    """Sentences on numbers that the points don't tell, with a bound where the fit isn't doubted, and on those that ended at a bound."""
     told = []
     errors = np.sqrt(np.maximum(np.diag(fit.covariance), 0))
     for at, (key, bounds) in enumerate(fit.model.bounds.items()):
@@ -125,7 +161,8 @@ def hardly_told(fit: SweepFit, found: Identified) -> list[str]:
             others = ", ".join(f"{SHORT_NAMES[other]} to {100 * one:.2g} % instead of {100 * error:.2g} %"
                                for other, one, error in zip(fit.model.keys, alone, errors)
                                if other in (STIFFNESS, DAMPING) and other != key)
-            told.append(f"{name} is hardly told: below {number_text(Number(factor * (value + ONE_SIDED * number.error)))}{unit} (95 %). "
+            below = f": below {number_text(Number(factor * (value + _one_sided(fit) * number.error)))}{unit} (95 %)" * (not doubted)
+            told.append(f"{name} is hardly told{below}. "
                         f"Were it known, the points would tell {others or 'the others better'}")
         elif any(abs(value - edge) <= 1e-3 * (bounds.highest - bounds.lowest) for edge in (bounds.lowest, bounds.highest)):
             told.append(f"{name} ended at a bound, {factor * value:.4g}{unit}: errors of the others hold for it there; wider --bounds may "
@@ -134,6 +171,11 @@ def hardly_told(fit: SweepFit, found: Identified) -> list[str]:
     if condition > ILL:
         told.append(f"the points tell combinations of the numbers and hardly each of them (condition number {condition:.2g})")
     return told
+
+
+def _one_sided(fit: SweepFit) -> float:
+    """The bound, in told standard errors, below which 95 % lie: of Student's t where these are estimated from the points."""
+    return float(norm.ppf(ONE_SIDED) if fit.model.points.has_errors else t.ppf(ONE_SIDED, max(fit.freedom, 1)) / widened(fit.freedom))
 
 
 def _without(fit: SweepFit, at: int) -> Reals:

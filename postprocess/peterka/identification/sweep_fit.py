@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import least_squares
+from scipy.stats import norm, t
 
 from ..arrays import Integers, Mask, Reals
 from ..errors import PeterkaFileError
@@ -184,8 +185,13 @@ def near(model: Model, x: Reals) -> SweepFit:
     scatter = float(np.sqrt(np.sum(left[used]**2) / max(used.sum() - len(x), 1)))
     size = np.maximum(np.sqrt(np.sum(slopes**2, axis=0)), 1e-30)
     covariance = np.linalg.pinv((slopes / size).T @ (slopes / size), rcond=1e-14, hermitian=True) / np.outer(size, size)
-    covariance *= 1.0 if model.points.has_errors else scatter**2
+    covariance *= 1.0 if model.points.has_errors else (scatter * widened(int(used.sum()) - len(x)))**2
     return SweepFit(model, x, covariance, places, used, left, weight_now, scatter, settled)
+
+
+def widened(freedom: int) -> float:
+    """The width of Student's t, by its 68 % interval, over that of the normal distribution: of errors that few points tell."""
+    return float(t.ppf(norm.cdf(1), max(freedom, 1)))
 
 
 def _explained(model: Model, x: Reals) -> tuple[list[Place | None], Reals, Reals, Mask]:
