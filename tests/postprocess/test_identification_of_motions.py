@@ -3,6 +3,7 @@ unbiased, errors agree with the scatter of repetitions."""
 
 import re
 import tomllib
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from peterka.errors import PeterkaFileError
 from peterka.identification import solve
+from peterka.identification.first_guess import look
 from peterka.identification.fit import fit
 from peterka.identification.recording import Recording
 from identification_coverage import PER_CONTACT, coverage_faults, pulls_of
@@ -140,14 +142,23 @@ def test_samples_that_heap_at_the_end_of_a_range_are_clipped(tmp_path, run_progr
     assert code == 2 and f"is clipped: its force is {limit:.4g}, and never beyond, in 12 samples" in err, err
 
 
-@pytest.mark.parametrize("end", [1, -1])
-def test_a_clipped_displacement_is_told(tmp_path, run_program, end):
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_clipped_displacement_is_told(tmp_path, run_program, sign):
     time, columns = release()
-    after = end * columns["displacement"][np.argmax(columns["force"] > 0):]
-    displacement = end * np.minimum(end * columns["displacement"], 0.8 * after.max())
+    least = 0.8 * columns["displacement"][np.argmax(columns["force"] > 0):].min()
+    displacement = sign * np.maximum(columns["displacement"], least)
     path = write(tmp_path / "a.csv", time, {**noisy(columns, ["force"], 0.003, 1), "displacement": displacement})
     code, _, err = run_program("identify", path, "--mass-kg", HAMMER.mass)
-    assert code == 2 and "is clipped: its displacement is" in err, err
+    assert code == 2 and f"is clipped: its displacement is {sign * least:.4g}, and never beyond" in err, err
+
+
+def test_a_hammer_that_is_held_and_comes_to_rest_at_the_stop_is_not_clipped():
+    """At gap 0, in steps of a twentieth of its swing."""
+    _, columns = simulate(replace(HAMMER, gap=0.0), 0.3, RATE)
+    columns = {name: np.concatenate([np.full(2000, values[0]), values]) for name, values in columns.items()}
+    step = np.ptp(columns["displacement"]) / 20
+    columns = {**noisy(columns, ["force"], 0.003, 1), "displacement": step * np.rint(columns["displacement"] / step)}
+    assert look(Recording(Path("simulated"), 0.0, 1 / RATE, columns)).signs["displacement"] == 1
 
 
 def test_eight_bits_are_no_other_stop(tmp_path, run_program):

@@ -190,19 +190,19 @@ def _refuse_clipped(recording: Recording, name: str, values: Reals, pulse: Pulse
 
 def _refuse_heaped(recording: Recording, guess: Guess) -> None:
     """Raises PeterkaFileError where a signal's samples heap at an end of its range: forces and accelerations of the impacts at that
-    towards which impacts go, displacements from the first impact on at either; before a release the hammer is held."""
-    for name, values in recording.signals.items():
-        if name in SHARP:
-            towards = guess.signs[name] if name == "force" else -guess.signs[name]
-            inside = np.concatenate([np.arange(pulse.first, pulse.last) for pulse in guess.pulses])
-            ends = [(towards, np.asarray(values[inside], dtype=float))]
+    towards which impacts go, displacements at that away from the stop. Before a release the hammer is held there, and at the stop it may come to rest."""
+    for name in ("force", "acceleration", "displacement"):
+        if name not in recording.signals:
+            continue
+        values, end = recording.signals[name], guess.signs[name] * (1 if name == "force" else -1)
+        if name == "displacement":
+            piece = _some(values[guess.pulses[0].first:])
         else:
-            ends = [(end, np.asarray(values[guess.pulses[0].first:], dtype=float)) for end in (1, -1)]
-        for end, piece in ends:
-            last, times = _heap(float(end) * piece)
-            if times:
-                raise PeterkaFileError(f"{recording.path} is clipped: its {name} is {end * last:.4g}, and never beyond, in {times} samples; record with a "
-                                  "larger range")
+            piece = np.asarray(values[np.concatenate([np.arange(pulse.first, pulse.last) for pulse in guess.pulses])], dtype=float)
+        last, times = _heap(float(end) * piece)
+        if times:
+            raise PeterkaFileError(f"{recording.path} is clipped: its {name} is {end * last:.4g}, and never beyond, in {times} samples; record with a "
+                              "larger range")
 
 
 def _heap(values: Reals) -> tuple[float, int]:
