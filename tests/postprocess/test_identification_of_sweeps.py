@@ -156,16 +156,18 @@ def test_a_scatter_above_that_of_neighbours_is_seen():
         assert sweep_adequacy._over_scatter(fit) == 1
 
 
-def test_points_at_chaos_speak_neither_for_nor_against_a_rig():
-    """Else rigs without chaos would always win."""
+def test_points_at_chaos_hardly_speak_against_a_rig():
+    """Else rigs without chaos would always win; nor for one, or one with chaos everywhere would."""
     hertz, wide, narrow = np.array([12.0, 13.0, 14.0, 15.0]), (11.0, 12.5), (13.95, 14.05)
     strands = [branches.Strand("1/1", "up", np.array(span), *(np.zeros(2),) * 2, {}) for span in (wide, narrow)]
     landscape = branches.Landscape(strands, hertz, ["", "chaos", "", "no impact"], np.full((1, 4), 50.0))
-    model = SimpleNamespace(points=SimpleNamespace(hertz=hertz), which=np.zeros(4, int), landscapes=lambda x: [landscape])
+    points = SimpleNamespace(hertz=hertz, force=np.full(4, 50.0), error=np.full(4, 1.0), has_errors=False)
+    model = SimpleNamespace(points=points, which=np.zeros(4, int), landscapes=lambda x: [landscape])
     fit = SimpleNamespace(model=model, x=np.zeros(1), left=np.array([0.02, 0.3, np.nan, np.nan]), used=np.array([True, False, False, False]))
-    assert sweep_adequacy._cost(fit, 0.02) == pytest.approx(1 + 1 + 1 + sweep_fit.OUTLYING**2)
-    assert sweep_adequacy._cost(SimpleNamespace(**{**vars(fit), "left": np.array([0.06, 0.3, np.nan, np.nan])}), 0.02) == pytest.approx(
-        9 + 1 + 1 + sweep_fit.OUTLYING**2)
+    chaos = -2 * np.log(0.02 * np.sqrt(2 * np.pi) / np.log(2))  # of a density even over ln 2, over that in the middle of a normal one
+    assert 5 < chaos < 6 and sweep_adequacy._cost(fit, 0.02) == pytest.approx(1 + 2 * chaos + sweep_fit.OUTLYING**2)
+    points.has_errors, fit.left = True, np.array([3.0, 15.0, np.nan, np.nan])
+    assert sweep_adequacy._cost(fit, 1.0) == pytest.approx(9 + 2 * chaos + sweep_fit.OUTLYING**2)
 
 
 @pytest.mark.parametrize("freedom, width", [(1, 1.84), (2, 1.32), (5, 1.11), (100, 1.005)])

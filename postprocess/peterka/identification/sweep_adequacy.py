@@ -34,7 +34,8 @@ def fitted(model: Model) -> SweepFit:
                 found.append(near(model, x))
         except PeterkaFileError:
             continue  # no branches there
-    scatter = 1.0 if model.points.has_errors else min(fit.scatter for fit in found)
+    most = max(int(fit.used.sum()) for fit in found)  # few points may lie near a branch by chance
+    scatter = 1.0 if model.points.has_errors else min(fit.scatter for fit in found if 2 * int(fit.used.sum()) >= most)
     costs = [_cost(fit, scatter) for fit in found]
     best = found[int(np.argmin(costs))]
     for fit, cost in zip(found, costs):
@@ -69,9 +70,12 @@ def _apart(fit: SweepFit, x: Reals) -> bool:
 
 def _cost(fit: SweepFit, scatter: float) -> float:
     """-2 ln of the likelihood of all points, but for a constant; one that no branch explains counts as far off as an outlier, but where the rig
-    has chaos or a narrow branch there, of which no force is known: as if it were as far off as others. Else a rig without chaos would always win."""
+    has chaos or a narrow branch there: as one of forces that are as likely within a factor of two. Else a rig without chaos would always win."""
+    points = fit.model.points
+    relative = points.error / points.force if points.has_errors else scatter
     off = np.minimum(np.nan_to_num(fit.left / scatter, nan=OUTLYING)**2, OUTLYING**2)
-    return float(np.sum(np.where(_unforeseen(fit) & ~fit.used, np.minimum(off, 1.0), off)))
+    of_any = np.clip(2 * np.log(np.log(2) / (np.sqrt(2 * np.pi) * relative)), 1, OUTLYING**2)
+    return float(np.sum(np.where(_unforeseen(fit) & ~fit.used, np.minimum(off, of_any), off)))
 
 
 def _unforeseen(fit: SweepFit) -> Mask:
