@@ -10,9 +10,10 @@
 namespace peterka {
 
 // Adds the mean life of a cell's motion or, where its starts end on several, of one of its attractors. Chaotic
-// and unresolved motions have none.
-void add_mean_life(const scene::Scene& scene, std::int64_t row, std::int64_t column, cell::CellResult& result);
+// and unresolved motions have none. share: of noise.cycles, to be computed.
+void add_mean_life(const scene::Scene& scene, std::int64_t row, std::int64_t column, cell::CellResult& result,
+                   double share = 1);
 void add_mean_life(const scene::Scene& scene, std::int64_t row, std::int64_t column,
-                   cell::CellAttractor& attractor);
+                   cell::CellAttractor& attractor, double share = 1);
 
 }  // namespace peterka

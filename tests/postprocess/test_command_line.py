@@ -10,13 +10,14 @@ POSTPROCESS = Path(__file__).parents[2] / "postprocess"
 WORK = """
 import sys
 from peterka.cli.command_line import working
-with working("release.csv"):
-    sys.stdin.readline()
+with working(sys.argv[1]):
+    sys.exit(int(sys.stdin.readline()))
 """
 
 
-def begin(stderr):
-    return subprocess.Popen([sys.executable, "-c", WORK], cwd=POSTPROCESS, stdin=subprocess.PIPE, stderr=stderr, text=True)
+def begin(stderr, name="release.csv", columns="80"):
+    return subprocess.Popen([sys.executable, "-c", WORK, name], cwd=POSTPROCESS, stdin=subprocess.PIPE, stderr=stderr, text=True,
+                            env=os.environ | {"COLUMNS": columns})
 
 
 def read(terminal):
@@ -36,15 +37,25 @@ def test_long_work_says_on_a_terminal_how_long_it_takes():
         assert piece, shown
         shown += piece
     assert shown == "\rrelease.csv: 1 s\rrelease.csv: 2 s"
-    process.stdin.write("\n")
+    process.stdin.write("3\n")  # an exception ends it, too
     process.stdin.close()
     rest = "".join(iter(lambda: read(ours), ""))
-    assert process.wait() == 0
+    assert process.wait() == 3
     assert rest.endswith("\r\x1b[K") and rest.strip("\r\x1b[K") in ("", "release.csv: 3 s")
+    os.close(ours)
+
+
+def test_of_a_long_name_the_end_is_shown_in_one_row():
+    ours, theirs = pty.openpty()
+    process = begin(theirs, "folder/" * 30 + "a.csv", columns="24")
+    os.close(theirs)
+    assert read(ours) == "\r" + ("folder/" * 30 + "a.csv: 1 s")[-23:]
+    process.communicate("0\n")
+    assert process.returncode == 0
     os.close(ours)
 
 
 def test_elsewhere_it_says_nothing():
     process = begin(subprocess.PIPE)
-    assert process.communicate("\n")[1] == ""
+    assert process.communicate("0\n")[1] == ""
     assert process.returncode == 0

@@ -161,6 +161,22 @@ def test_a_hammer_that_is_held_and_comes_to_rest_at_the_stop_is_not_clipped():
     assert look(Recording(Path("simulated"), 0.0, 1 / RATE, columns)).signs["displacement"] == 1
 
 
+@pytest.mark.parametrize("bits, seed", [(8, 1), (10, 2), (12, 3)])
+def test_rounded_forces_of_impacts_that_are_alike_are_not_clipped(bits, seed):
+    """Sampled in step with them: the tops of all are one value, that below is met by chance."""
+    force = simulate(driven(HAMMER, 1e-3, 32.0, start=0.0), 0.9, 12800.0)[1]["force"][5000:]
+    step = 1.5 * force.max() / 2**(bits - 1)
+    for more in range(10):
+        noise = 0.2 * step * np.random.default_rng(100 * seed + more).standard_normal(len(force))
+        assert look(Recording(Path("simulated"), 0.0, 1 / 12800.0, {"force": step * np.rint((force + noise) / step)})).pulses
+
+
+def test_constant_signals_are_not_clipped():
+    force = noisy(shaken()[1], ["force"], 0.003, 1)["force"]
+    still = {name: np.full(len(force), 0.3) for name in ("cart_displacement", "cart_acceleration", "displacement")}
+    assert look(Recording(Path("simulated"), 0.0, 1 / RATE, {"force": force, **still})).pulses
+
+
 def test_eight_bits_are_no_other_stop(tmp_path, run_program):
     """Nor clipped. Between impacts nothing is left of such a force, of which much was left in contact."""
     time, columns = shaken()

@@ -156,6 +156,14 @@ def test_a_scatter_above_that_of_neighbours_is_seen():
         assert sweep_adequacy._over_scatter(fit) == 1
 
 
+def test_forces_that_are_rounded_have_that_scatter():
+    coarse = measured(0.01, 0.02)
+    coarse.model.points.force = 40.0 * np.rint(coarse.model.points.force / 40.0)
+    assert sweep_adequacy._over_scatter(coarse) == 1
+    coarse.model.points.force[:] = 40.0
+    assert sweep_adequacy._over_scatter(coarse) == 1
+
+
 def test_points_at_chaos_hardly_speak_against_a_rig():
     """Else rigs without chaos would always win; nor for one, or one with chaos everywhere would."""
     hertz, wide, narrow = np.array([12.0, 13.0, 14.0, 15.0]), (11.0, 12.5), (13.95, 14.05)

@@ -4,6 +4,7 @@ import argparse
 import errno
 import os
 import re
+import shutil
 import sys
 import threading
 import time
@@ -127,7 +128,8 @@ def working(on: object) -> Iterator[None]:
 
     def count() -> None:
         while not done.wait(1):
-            write(f"\r{harmless(str(on), LONGEST_COMPLAINT)}: {time.monotonic() - begin:.0f} s")
+            words = f"{harmless(str(on), LONGEST_COMPLAINT)}: {time.monotonic() - begin:.0f} s"
+            write(f"\r{words[1 - shutil.get_terminal_size().columns:]}")  # one row of it
 
     thread = threading.Thread(target=count, daemon=True)
     thread.start()

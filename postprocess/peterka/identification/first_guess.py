@@ -17,7 +17,7 @@ OVER_SMOOTHED = 6  # the same once the duration of contacts is known
 WEAKEST = 0.01  # of the hardest impact
 FLAT_TOP = 0.15  # of the width of a pulse: a flat top longer than this was clipped
 FEWEST_CLIPPED = 4  # samples at a signal's end of range
-HEAPED = 5.0  # times as many there as at the next value: a smooth top has 2.4 at most, whatever the resolution
+HEAPED = 5.0  # times as many there as at the next value: a smooth top has 2.4 on average, if rounding doesn't heap it
 BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: recording length over the averaging window
 REACH = 0.1  # of its peak: level at which a pulse begins and ends
 LOOKED_AT = 1_000_000  # samples at most for a median
@@ -190,9 +190,10 @@ def _refuse_clipped(recording: Recording, name: str, values: Reals, pulse: Pulse
 
 def _refuse_heaped(recording: Recording, guess: Guess) -> None:
     """Raises PeterkaFileError where a signal's samples heap at an end of its range: forces and accelerations of the impacts at that
-    towards which impacts go, displacements at that away from the stop. Before a release the hammer is held there, and at the stop it may come to rest."""
+    towards which impacts go, displacements at that away from the stop. Before a release the hammer is held there, and at the stop it may come to rest.
+    Values of which rounding is coarser than noise are left alone: those of impacts that are alike, sampled in step with them, are all the same."""
     for name in ("force", "acceleration", "displacement"):
-        if name not in recording.signals:
+        if name not in recording.signals or guess.noise[name] < guess.resolution[name]:
             continue
         values, end = recording.signals[name], guess.signs[name] * (1 if name == "force" else -1)
         if name == "displacement":
@@ -212,8 +213,10 @@ def _heap(values: Reals) -> tuple[float, int]:
         return np.nan, 0
     largest, near = float(values.max()), 1e-9 * float(np.ptp(values))
     others = values[values < largest - near]
+    if not len(others):  # a constant
+        return largest, 0
     there = len(values) - len(others)
-    next_to_it = int(np.sum(others >= others.max() - near)) if len(others) else 0
+    next_to_it = int(np.sum(others >= others.max() - near))
     return largest, there if there >= FEWEST_CLIPPED and there > HEAPED * next_to_it else 0
 
 

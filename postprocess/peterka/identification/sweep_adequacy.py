@@ -122,7 +122,7 @@ def judged(fit: SweepFit) -> tuple[SweepFit, list[str]]:
 
 def _over_scatter(fit: SweepFit) -> float:
     """Scatter about the fit over that of each measured force about the line through its neighbours, where noise makes such a ratio in less than RARE
-    of all cases (F test); else 1. Curved branches, jumps and chaos make the second one larger, never smaller."""
+    of all cases (F test); else 1. Rounding of forces counts as noise. Curved branches, jumps and chaos make the second one larger, never smaller."""
     points, which = fit.model.points, fit.model.which
     off: list[float] = []
     for gap in np.unique(which):
@@ -135,8 +135,10 @@ def _over_scatter(fit: SweepFit) -> float:
         off += list(np.abs(lines) / np.sqrt(1 + share**2 + (1 - share)**2))
     if points.has_errors or len(off) < FEWEST:
         return 1.0
-    ratio = fit.scatter / max(float(np.median(off)) / float(norm.ppf(0.75)), 1e-300)
-    return ratio if f.sf(ratio**2, max(fit.freedom, 1), len(off) / 3) < RARE else 1.0
+    steps = np.diff(np.unique(points.force))
+    rounded = float(np.min(steps)) / np.sqrt(12) / float(np.median(points.force)) if len(steps) else np.inf
+    ratio = fit.scatter / max(float(np.median(off)) / float(norm.ppf(0.75)), rounded, 1e-12)
+    return float(ratio) if f.sf(ratio**2, max(fit.freedom, 1), len(off) / 3) < RARE else 1.0
 
 
 def likeness(fit: SweepFit) -> tuple[float, int]:
