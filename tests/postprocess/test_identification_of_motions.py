@@ -181,12 +181,12 @@ def test_eight_bits_are_no_other_stop(tmp_path, run_program):
     """Nor clipped. Between impacts nothing is left of such a force, of which much was left in contact."""
     time, columns = shaken()
     step = np.abs(columns["force"]).max() / 128
-    rounded = {"force": step * np.rint(columns["force"] / step), "displacement": columns["displacement"]}
-    code, out, err = run_program("identify", "--driven", write(tmp_path / "a.csv", time, rounded), "--mass-kg", HAMMER.mass, "--formats", "png")
+    path = write(tmp_path / "a.csv", time, {"force": step * np.rint(columns["force"] / step)})
+    code, out, err = run_program("identify", "--driven", path, "--mass-kg", HAMMER.mass, "--formats", "png")
     assert (code, err) == (0, "") and "in contact" not in out and "aren't those" not in out, out
     for name in ("stop's stiffness ki", "stop's damping ci"):
         value, error = numbers(out)[name]
-        assert abs(value - TRUE[name]) < 3 * error < 0.1 * TRUE[name], (name, value, error)
+        assert abs(value - TRUE[name]) < 3 * error < 0.3 * TRUE[name], (name, value, error)
 
 
 def test_errors_are_those_of_repetition():
