@@ -47,7 +47,7 @@ def _work_precision(file: StudyFile) -> str:
     return "\n\n".join([
         f"## Error and time: {harmless(file.title, page=True)}",
         f"Peak force on the stable orbits of {cells} cells against a reference in extended precision; transients are "
-        "left out, and every method does the same work.",
+        "left out, and every method does the same work, but that the batched engine always measures forces, too.",
         work_precision_table(file.table),
         "Errors are those of cells with a result; `time for` is the fastest run whose median error is that small or smaller.",
         _picture(file),

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "attractors/along_branch.hpp"
 #include "job/branches.hpp"
@@ -214,11 +213,11 @@ std::string noise_price(const job::Job& job) {
     const double seconds = static_cast<double>(job.cells()) * lives.seconds;
     const double margin = 2 * lives.relative_error;
     return fmt::format(
-        "#   noise    lives of settled motions: some {} of one core more, {} to {}, by {} {}{} tried here in "
+        "#   noise    lives of settled motions: some {} of one core more{}, {} to {}, by {} {}{} tried here in "
         "{}\n",
-        readable_duration(seconds), readable_duration(seconds / (1 + margin)),
-        readable_duration(seconds * (1 + margin)), readable_count(lives.cells), place,
-        lives.cells == 1 ? "" : "s", readable_duration(lives.spent));
+        readable_duration(seconds), job.refine.levels > 0 ? " if all cells were computed" : "",
+        readable_duration(seconds / (1 + margin)), readable_duration(seconds * (1 + margin)),
+        readable_count(lives.cells), place, lives.cells == 1 ? "" : "s", readable_duration(lives.spent));
 }
 
 // Processor time per place on the plane of the paper's rig of 170 mm, as measured beside many other processes:

@@ -20,8 +20,9 @@ struct BatchTrial {
     std::vector<std::vector<Observation>> orbits;  // of each cell: one period, after the timed cycles
 };
 
-// Follows copies of all cells, shuffled, about 1000 together, for `cycles` cycles, with state, Jacobian and
-// contacts; the time is that of the fastest repeat. The engine doesn't report impact times: last_touch is NaN.
+// Follows copies of all cells, shuffled, about 1000 together, for `cycles` cycles, with state, Jacobian,
+// contacts and forces; the time is that of the fastest repeat. The engine doesn't report impact times:
+// last_touch is NaN.
 [[nodiscard]] BatchTrial follow_in_batch(std::span<const OrbitStart> cells, std::int64_t cycles,
                                          std::int64_t repeats);
 

@@ -2,8 +2,9 @@
 //
 // Each run starts on the cell's stable periodic orbit, known to 1e-17 from the reference, and follows it for
 // job.study.cycles forcing cycles; then one period is compared with the reference. All methods do the same
-// work: state, Jacobian and contacts; the time is that of the fastest of job.study.repeats. The batched engine
-// follows all cells together, and each cell's time is its share of the batch's.
+// work: state, Jacobian and contacts, to which the batched engine adds the force, as it always does; the time
+// is that of the fastest of job.study.repeats. The batched engine follows all cells together, and each cell's
+// time is its share of the batch's.
 #pragma once
 
 #include <optional>

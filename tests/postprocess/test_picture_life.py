@@ -60,7 +60,7 @@ def test_lives_are_on_the_scale_and_what_has_none_is_set_apart(tmp_path):
             assert drawn.colour_of(file, *place) == life_map.COLOURS[life_map.UNENDED]
         for place in ((2, 0), (2, 1)):
             assert drawn.colour_of(file, *place) == life_map.COLOURS[life_map.NONE_SETTLED]
-    assert drawn.legend_texts() == ["no settled motion followed", "hardly a life seen to end", "not computed yet"]
+    assert drawn.legend_texts() == ["none settled, or not followed", "hardly a life seen to end", "not computed yet"]
 
 
 def test_only_a_map_with_noise_gives_the_picture(tmp_path, draw):

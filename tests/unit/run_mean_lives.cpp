@@ -71,6 +71,22 @@ TEST(MeanLives, DisturbancesAreThoseOfTheCellAndTheMotionAlone) {
     EXPECT_EQ(attractor.mean_life, motion.mean_life);
 }
 
+TEST(MeanLives, AShareOfTheCyclesIsAsMany) {
+    job::Job half = disturbed(0);
+    half.noise.cycles /= 2;
+    const scene::Scene scene(disturbed(0));
+    const scene::Scene scene_of_half(half);
+    cell::CellResult all = one_in_three(scene);
+    cell::CellResult share = all;
+    cell::CellResult fewer = all;
+    add_mean_life(scene, 0, 0, all);
+    add_mean_life(scene, 0, 0, share, 0.5);
+    add_mean_life(scene_of_half, 0, 0, fewer);
+    EXPECT_EQ(share.mean_life, fewer.mean_life);
+    EXPECT_EQ(share.mean_life_error, fewer.mean_life_error);
+    EXPECT_NE(share.mean_life, all.mean_life);
+}
+
 TEST(MeanLives, WithStartsTheyAreThoseOfTheAttractors) {
     job::Job job = disturbed(0);
     job.starts.count = 8;

@@ -22,7 +22,7 @@ WEAKEST = 0.1  # of the hardest impact: weaker impacts carry little information
 MOST = 20  # impacts that are fitted, evenly selected
 PUSHES = 2.0  # standard deviation of a push over the mean push between impacts
 LARGE = 2.0  # standard deviations: larger ones were in 1 of 56 fits of random springs and dashpots (the largest 2.4)
-FAST = 1.5  # the same of ln omega, which takes up a flat top
+FAST = 1.5  # the same of ln omega, which takes up a flat top: 1.9 to 2.3 where forces saturated, below 0.1 in sound ones
 CHANCE = 3e-3  # of residuals in contact that are that much larger than elsewhere
 SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and standard deviation; ln omega relative to the impacts' rate
 
@@ -70,7 +70,7 @@ def _by_spring_and_dashpot(fit: Fit) -> Fit:
     problem, value = fit.solved.problem, fit.solved.value
     sizes = np.array([(value[name] - mean) / deviation for name, (mean, deviation) in problem.prior.items() if name not in SPRINGS])
     largest = float(np.max(np.abs(sizes)))
-    is_fast = "omega" in problem.prior and abs(value["omega"] - problem.prior["omega"][0]) > FAST * problem.prior["omega"][1]
+    is_fast = "omega" in problem.prior and value["omega"] - problem.prior["omega"][0] > FAST * problem.prior["omega"][1]
     spread = problem.prior["mean_cos"][1]
     hardest = PUSHES * max(abs(value["mean_cos"] + value[f"push_cos {number}"]) for number in range(len(problem.legs))) / spread
     if np.mean(sizes**2) > 1:

@@ -138,7 +138,8 @@ def _over_scatter(fit: SweepFit) -> float:
     steps = np.diff(np.unique(points.force))
     rounded = float(np.min(steps)) / np.sqrt(12) / float(np.median(points.force)) if len(steps) else np.inf
     ratio = fit.scatter / max(float(np.median(off)) / float(norm.ppf(0.75)), rounded, 1e-12)
-    return float(ratio) if f.sf(ratio**2, max(fit.freedom, 1), len(off) / 3) < RARE else 1.0
+    told_by = len(off) / 3  # degrees of freedom: a median tells as much as 0.37 of as many squares
+    return float(ratio) if f.sf(ratio**2, max(fit.freedom, 1), told_by) < RARE else 1.0
 
 
 def likeness(fit: SweepFit) -> tuple[float, int]:

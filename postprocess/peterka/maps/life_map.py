@@ -41,7 +41,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     if not counts[[UNENDED, ENDS]].any():
         return None
     reduced = reduced_values(file, names, lambda regime, *of_motions: _settled(regime, *of_motions)[0], np.fmin)
-    texts = {NONE_SETTLED: "no settled motion followed", UNENDED: "hardly a life seen to end", WAITING: "not computed yet"}
+    texts = {NONE_SETTLED: "none settled, or not followed", UNENDED: "hardly a life seen to end", WAITING: "not computed yet"}
     looks = [without_value(*look) for look in zip(COLOURS, HATCHES)]
     handles = [axes.legend_patch(text, looks[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)

@@ -71,10 +71,10 @@ def draw(file: SweepFile, ax: Axes | None = None, *, name: str) -> list[Axes] | 
             look = sweep_panels.LOOKS[branch.direction]
             if branch.row in errors:
                 told = np.isfinite(values[branch.row]) & np.isfinite(errors[branch.row])
-                panel.errorbar(file.values[told], values[branch.row][told], errors[branch.row][told], linestyle="none", ecolor=look.colour,
-                               elinewidth=0.4, zorder=look.zorder)
+                panel.errorbar(file.values[told], scale.factor * values[branch.row][told], scale.factor * errors[branch.row][told], linestyle="none",
+                               ecolor=look.colour, elinewidth=0.4, zorder=look.zorder)
             if branch.row in bounds:
-                panel.plot(file.values, bounds[branch.row], color=look.colour, linestyle="none", zorder=look.zorder, **BOUND)
+                panel.plot(file.values, scale.factor * bounds[branch.row], color=look.colour, linestyle="none", zorder=look.zorder, **BOUND)
         own = np.concatenate([each[branch.row] for branch in file.at_gap(gap) for each in (values, bounds) if branch.row in each])
         panel.set_ylim(*(scale.factor * end for end in limits or _ends(own[np.isfinite(own)], every, name in FROM_ZERO, log)))
     return list(panels.values())
