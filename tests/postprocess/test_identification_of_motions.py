@@ -161,14 +161,14 @@ def test_a_hammer_that_is_held_and_comes_to_rest_at_the_stop_is_not_clipped():
     assert look(Recording(Path("simulated"), 0.0, 1 / RATE, columns)).signs["displacement"] == 1
 
 
-@pytest.mark.parametrize("bits, seed", [(8, 1), (10, 2), (12, 3)])
-def test_rounded_forces_of_impacts_that_are_alike_are_not_clipped(bits, seed):
+@pytest.mark.parametrize("rate, bits, share", [(12800.0, 10, 1.3), (12800.0, 12, 1.1), (25600.0, 10, 2.0), (12800.0, 8, 1.5)])
+def test_rounded_forces_of_impacts_that_are_alike_are_not_clipped(rate, bits, share):
     """Sampled in step with them: the tops of all are one value, that below is met by chance."""
-    force = simulate(driven(HAMMER, 1e-3, 32.0, start=0.0), 0.9, 12800.0)[1]["force"][5000:]
-    step = 1.5 * force.max() / 2**(bits - 1)
-    for more in range(10):
-        noise = 0.2 * step * np.random.default_rng(100 * seed + more).standard_normal(len(force))
-        assert look(Recording(Path("simulated"), 0.0, 1 / 12800.0, {"force": step * np.rint((force + noise) / step)})).pulses
+    force = simulate(driven(HAMMER, 1e-3, 32.0, start=0.0), 0.9, rate)[1]["force"][int(0.4 * rate):]
+    step = 2 * share * force.max() / 2**bits
+    for seed in range(20):
+        noise = 0.2 * step * np.random.default_rng(seed).standard_normal(len(force))
+        assert look(Recording(Path("simulated"), 0.0, 1 / rate, {"force": step * np.rint((force + noise) / step)})).pulses
 
 
 def test_constant_signals_are_not_clipped():
