@@ -26,6 +26,19 @@ scene::Oscillator<double> rescaled(scene::Oscillator<double> oscillator, double 
     return oscillator;
 }
 
+// The flight of a map in closed form.
+std::optional<motion::LinearMotion<double>> flight_of(const regime::CycleMap& map) {
+    const auto linear = [](const scene::Oscillator<double>& oscillator) {
+        const motion::LinearMotion<double> flight(motion::flight_equation(oscillator));
+        return FlightSteps::suits(flight) ? std::optional(flight) : std::nullopt;
+    };
+    if (const auto* exact = std::get_if<trajectory::ExactCycleMap<double>>(&map))
+        return linear(exact->oscillator());
+    if (const auto* rigid = std::get_if<trajectory::RigidExactMap<double>>(&map))
+        return linear(rigid->oscillator());
+    return std::nullopt;
+}
+
 }  // namespace
 
 int changes_per_cycle(double period) {
@@ -39,6 +52,7 @@ DisturbedMap::DisturbedMap(const scene::Oscillator<double>& oscillator, const re
       settings_(settings),
       disturbance_(disturbance),
       changes_(noise::changes_per_cycle(oscillator.period())),
+      stretches_(changes_),
       usual_(cart_of({})),
       last_(cart_of({})) {}
 
@@ -52,11 +66,14 @@ DisturbedMap::Cart DisturbedMap::cart_of(const Deviations& deviations) const {
     oscillator.frequency *= 1 + deviations.frequency;
     regime::EngineSettings settings = settings_;
     settings.largest_displacement /= scale;
-    return {.deviations = deviations,
-            .scale = scale,
-            .speed = scale * oscillator.frequency,
-            .period = oscillator.period(),
-            .map = regime::make_cycle_map(oscillator, settings)};
+    Cart cart{.deviations = deviations,
+              .scale = scale,
+              .speed = scale * oscillator.frequency,
+              .period = oscillator.period(),
+              .map = regime::make_cycle_map(oscillator, settings),
+              .flight = std::nullopt};
+    if (const auto flight = flight_of(cart.map)) cart.flight.emplace(*flight, cart.period, stretches_);
+    return cart;
 }
 
 DisturbedMap::Cart& DisturbedMap::use(const Deviations& deviations) {
@@ -65,14 +82,31 @@ DisturbedMap::Cart& DisturbedMap::use(const Deviations& deviations) {
     return last_;
 }
 
-// from, to: parts of the cycle.
-bool DisturbedMap::carry(Cart& cart, State& state, double from, double to, Jacobian* jacobian) {
-    const State scaled = state / cart.scale;
-    const Cycle part = std::visit(
-        [&](auto& map) -> Cycle { return map.part(scaled, from * cart.period, to * cart.period); }, cart.map);
-    state = part.end * cart.scale;
-    if (jacobian != nullptr) *jacobian = part.jacobian;
-    return part.outcome == Cycle::Outcome::done;
+// state: in the cart's lengths.
+Cycle DisturbedMap::part(Cart& cart, const State& state, int from, int to) const {
+    const double begin = stretches_.ends[static_cast<std::size_t>(from)] * cart.period;
+    const double end = stretches_.ends[static_cast<std::size_t>(to)] * cart.period;
+    return std::visit([&](auto& map) -> Cycle { return map.part(state, begin, end); }, cart.map);
+}
+
+bool DisturbedMap::carry(Cart& cart, State& state, int from, int to) const {
+    State scaled = state / cart.scale;
+    for (int n = from; n < to;) {
+        const auto end = cart.flight ? cart.flight->end_of(static_cast<std::size_t>(n), scaled) : std::nullopt;
+        if (end) {
+            scaled = *end;
+            ++n;
+            continue;
+        }
+        // one that is at the stop may stay there for long
+        const int until = cart.flight && scaled[0] < 0 ? n + 1 : to;
+        const Cycle cycle = part(cart, scaled, n, until);
+        if (cycle.outcome != Cycle::Outcome::done) return false;
+        scaled = cycle.end;
+        n = until;
+    }
+    state = scaled * cart.scale;
+    return true;
 }
 
 void DisturbedMap::begin(DisturbedState& motion, const Deviations& cart) {
@@ -83,7 +117,7 @@ void DisturbedMap::begin(DisturbedState& motion, const Deviations& cart) {
 // The rest of a cycle.
 bool DisturbedMap::finish(DisturbedState& motion) {
     Cart& cart = use(motion.cart);
-    if (!carry(cart, motion.state, passed(motion.changes), 1)) return false;
+    if (!carry(cart, motion.state, motion.changes, changes_ + 1)) return false;
     motion.state[1] += cart.speed - usual_.speed;
     motion.cart = {};
     motion.changes = 0;
@@ -96,10 +130,9 @@ bool DisturbedMap::advance(DisturbedState& motion, RandomNumbers& random) {
         const double amplitude = random.normal();
         begin(motion, {disturbance_.amplitude * amplitude, disturbance_.frequency * random.normal()});
     }
-    const double from = passed(motion.changes);
-    ++motion.changes;
     Cart& cart = use(motion.cart);
-    if (!carry(cart, motion.state, from, passed(motion.changes))) return false;
+    if (!carry(cart, motion.state, motion.changes, motion.changes + 1)) return false;
+    ++motion.changes;
     if (disturbance_.speed > 0) motion.state[1] += size_of_change(cart.period) * random.normal();
     return true;
 }
@@ -121,8 +154,10 @@ std::optional<DisturbedMap::Linear> DisturbedMap::linear(const State& start) {
     Linear cycle{start, Jacobian::Identity(), Jacobian::Zero()};
     const double variance = std::pow(size_of_change(usual_.period), 2);
     for (int n = 0; n <= changes_; ++n) {
-        Jacobian flow;
-        if (!carry(usual_, cycle.end, passed(n), n < changes_ ? passed(n + 1) : 1, &flow)) return std::nullopt;
+        const Cycle stretch = part(usual_, cycle.end, n, n + 1);
+        if (stretch.outcome != Cycle::Outcome::done) return std::nullopt;
+        const Jacobian& flow = stretch.jacobian;
+        cycle.end = stretch.end;
         cycle.jacobian = flow * cycle.jacobian;
         cycle.covariance = flow * cycle.covariance * flow.transpose();
         if (n < changes_) cycle.covariance(1, 1) += variance;

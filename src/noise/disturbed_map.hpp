@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "noise/disturbance.hpp"
+#include "noise/flight_steps.hpp"
 #include "regime/engine.hpp"
 #include "scene/oscillator.hpp"
 #include "support/random_numbers.hpp"
@@ -75,22 +76,24 @@ class DisturbedMap {
         double speed = 0;  // at phase 0, in A0 omega
         double period = 0;
         regime::CycleMap map;
+        std::optional<FlightSteps> flight;  // by the map's closed form, if it has one
     };
     [[nodiscard]] Cart cart_of(const Deviations& deviations) const;
     [[nodiscard]] Cart& use(const Deviations& deviations);
-    [[nodiscard]] static bool carry(Cart& cart, scene::State<double>& state, double from, double to,
-                                    scene::Jacobian<double>* jacobian = nullptr);
+    // Through the stretches from one of a cycle to before another: the whole cycle has changes_ + 1 of them.
+    [[nodiscard]] bool carry(Cart& cart, scene::State<double>& state, int from, int to) const;
+    // By the engine.
+    [[nodiscard]] trajectory::Cycle<double> part(Cart& cart, const scene::State<double>& state, int from,
+                                                 int to) const;
     // Standard deviation of a change in a cycle of this length.
     [[nodiscard]] double size_of_change(double period) const;
     void begin(DisturbedState& motion, const Deviations& cart);
     [[nodiscard]] bool finish(DisturbedState& motion);
-    // The part of a cycle that has passed.
-    [[nodiscard]] double passed(int changes) const { return changes == 0 ? 0 : (changes - 0.5) / changes_; }
-
     scene::Oscillator<double> oscillator_;
     regime::EngineSettings settings_;
     Disturbance disturbance_;
     int changes_;  // per cycle
+    Stretches stretches_;
     std::int64_t quiet_cycles_ = 0;
     Cart usual_;
     Cart last_;  // the last cart that deviated

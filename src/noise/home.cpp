@@ -151,7 +151,7 @@ double Home::find_radius(DisturbedMap& map) {
 
 // From states at this distance all around some of the points, outside of a rigid stop.
 bool Home::takes_back_from(DisturbedMap& map, double distance) const {
-    constexpr std::size_t fewest = 24;  // a basin with fingers is not seen by chance
+    constexpr std::size_t fewest = 96;  // a basin with fingers is not seen by chance
     constexpr std::size_t fewest_of_point = 8;
     constexpr std::size_t most_points = 8;
     constexpr double patience = 10;  // few states of a basin may take long, by a chaotic transient
@@ -216,6 +216,13 @@ std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector
         state = *next;
     }
     return false;
+}
+
+std::int64_t Home::returning(DisturbedMap& map, std::span<const State> states, RandomNumbers& random,
+                             std::vector<State>& elsewhere) const {
+    if (states.empty()) return 0;
+    const State& one = states[random.below(states.size())];
+    return takes_back(map, one, elsewhere).value_or(false) ? std::ssize(states) : 0;
 }
 
 }  // namespace peterka::noise

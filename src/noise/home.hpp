@@ -4,12 +4,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "noise/disturbed_map.hpp"
 #include "scene/oscillator.hpp"
+#include "support/random_numbers.hpp"
 
 namespace peterka::noise {
 
@@ -41,6 +44,10 @@ class Home {
     [[nodiscard]] std::optional<bool> takes_back(DisturbedMap& map, scene::State<double> state,
                                                  std::vector<scene::State<double>>& elsewhere,
                                                  double times = 1) const;
+    // How many of these states would return: all or none, by one of them at random, which is right in the mean.
+    [[nodiscard]] std::int64_t returning(DisturbedMap& map, std::span<const scene::State<double>> states,
+                                         RandomNumbers& random,
+                                         std::vector<scene::State<double>>& elsewhere) const;
 
   private:
     struct Point {

@@ -28,12 +28,12 @@ constexpr int changes_between_looks = 4;
 constexpr std::int64_t asking = 16;  // times the budget of cycles that lives are followed for may go into it
 constexpr std::size_t fewest_paths = 32;
 constexpr std::size_t most_paths = 20'000;
-constexpr double times_first_paths = 60;          // that a splitting costs, roughly
-constexpr std::int64_t splitting = 2;             // times the budget that it may take
+constexpr double times_first_paths = 40;          // that a splitting costs, roughly
+constexpr std::int64_t splitting = 3;             // times the budget that it may take
 constexpr double known_well = 0.25;               // relative variance
 constexpr double told_at_most = 0.63;             // relative error of a mean life
 constexpr double too_strong = 1e-5;               // with a smaller radius of home nothing is told
-constexpr std::int64_t quiet_as_disturbed = 4;    // cycles without changes that take as long as a disturbed one
+constexpr std::int64_t quiet_as_disturbed = 2;    // cycles without changes that take as long as a disturbed one
 constexpr std::size_t most_departures = 100'000;  // kept to begin paths from
 constexpr double rarest = 1e-15;                  // per cycle
 // With 95 % probability, the mean number of ends is less where so many are seen (Poisson).
@@ -109,14 +109,8 @@ class Walk {
     [[nodiscard]] bool is_known_to_return(const Walker& walker) const {
         return !walker.left && walker.known == walker.away;
     }
-    // Of the states at phase 0 since it was known to return, of which the last would not return, the number of
-    // those from which it would have returned: by bisection, as if it left once.
-    [[nodiscard]] std::int64_t returning(std::span<const scene::State<double>> away) {
-        const auto returns = [&](const scene::State<double>& state) {
-            return home_.takes_back(map_, state, elsewhere_).value_or(false);
-        };
-        const auto before = away.first(away.size() - 1);
-        return std::ranges::partition_point(before, returns) - before.begin();
+    [[nodiscard]] std::int64_t returning(std::span<const scene::State<double>> states) {
+        return home_.returning(map_, states, random_, elsewhere_);
     }
     // A whole cycle.
     Now cycle(Walker& walker) {
@@ -170,8 +164,10 @@ Followed follow(Walk& walk, Walker& walker, std::int64_t budget, std::int64_t mo
             if (followed.departed.size() < most_departures) followed.departed.push_back(walker);
         }
         if (now != Now::left && now != Now::failed) continue;
-        if (now == Now::left)  // it left in the cycle after those
-            followed.cycles -= std::ssize(away) - 1 - walk.returning(away);
+        if (now == Now::left) {  // with all of these but the last it might have returned
+            const auto before = std::span(away).first(away.size() - 1);
+            followed.cycles -= std::ssize(before) - walk.returning(before);
+        }
         ++(now == Now::left ? followed.lives : followed.failed);
         walker = walk.begin();
         away.clear();

@@ -167,5 +167,26 @@ TEST(Home, DoesNotEndWhereAStateTakesLongToReturn) {
     }
 }
 
+TEST(Home, HowManyStatesReturnIsToldByOneOfThem) {
+    const testing::Settled motion = testing::one_in_three();
+    DisturbedMap map(motion.oscillator, {}, white(0.001));
+    const auto home = Home::of(map, motion.point, motion.period);
+    ASSERT_TRUE(home);
+    std::vector<State> elsewhere;
+    State far = motion.point;
+    while (home->takes_back(map, far, elsewhere).value()) far[1] += 0.1;
+    const std::vector<State> states{motion.point, far, far, far};
+    RandomNumbers random(1);
+    constexpr int tries = 2000;
+    int all = 0;
+    for (int n = 0; n < tries; ++n) {
+        const std::int64_t told = home->returning(map, states, random, elsewhere);
+        ASSERT_TRUE(told == 0 || told == 4);
+        all += told == 4 ? 1 : 0;
+    }
+    EXPECT_NEAR(4.0 * all / tries, 1, 4 * 4 * std::sqrt(0.25 * 0.75 / tries));
+    EXPECT_EQ(home->returning(map, {}, random, elsewhere), 0);
+}
+
 }  // namespace
 }  // namespace peterka::noise
