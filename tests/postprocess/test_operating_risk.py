@@ -8,9 +8,12 @@ import sys
 import numpy as np
 import pytest
 from peterka.cli import operating_point
+from peterka.files.regimes import CHAOTIC, NOT_COMPUTED
 from peterka.maps.map_file import PeterkaFile
 from peterka.operating import fresh_draws, risk
+from peterka.operating.admitted import Quantity
 from peterka.operating.drift import reach, worst_of_boxes
+from peterka.operating.places import Place
 from peterka.sampling import draws_needed, least_share, least_share_above
 from picture_samples import write_map
 from picture_texts import faults_of_layout
@@ -177,13 +180,12 @@ def test_a_force_with_a_probability_is_that_of_the_own_mass(tmp_path, operate):
 
 
 def test_an_axis_of_one_value_does_not_drift(tmp_path, operate):
-    noted, program = tmp_path / "noted", tmp_path / "program"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0, share=0))
-    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    program, changes = program_that_computes(tmp_path, 30.0)
     path = write_uncertain(tmp_path / "a.h5", rows=1)
     code, told, complaint = operate(path, "--risk", "0.95", "--verify", "--peterka", program)
     assert (code, complaint) == (0, "") and "probability of 0.95, drift ±0.5 Hz: above 0" in told
-    assert "at places of their own (frequency within ±0.5 Hz), 95 % reach" in told and "operating_point.gap_m" not in noted.read_text()
+    assert "at the worst of 17 places within the drift, frequency_ratio " in told
+    assert [keys["axes.gap_ratio.points"] for keys in changes()] == ["1", "1"]
     code, _, complaint = operate(path, "--risk", "0.95", "--mm", "0.1")
     assert code == 2 and "has one and the same gap in all cells" in complaint
 
@@ -226,24 +228,36 @@ from uncertain_samples import write_uncertain
 from pathlib import Path
 import numpy as np
 words = sys.argv[1:]
-Path({noted!r}).write_text("\\n".join(words))
-rigs = int(dict(word.split("=") for word in words if "=" in word)["uncertainty.rigs"])
-quantiles = np.full((3, 2, 2), {value})
-quantiles[0, 1, 1] += 1  # the least of the cells counts
+with Path({noted!r}).open("a") as noted:
+    noted.write("\\n".join(words) + "\\n\\n")
+changes = dict(word.split("=") for word in words if "=" in word)
+shape = tuple(int(changes[f"axes.{{axis}}.points"]) for axis in ("gap_ratio", "frequency_ratio"))
+quantiles = np.full((3, *shape), {value})
+if shape != (1, 1):
+    quantiles += 10
+    quantiles[0, shape[0] // 4, shape[1] // 3] -= 1
 shares = None
 if {share}:
-    shares = np.zeros((4, 2, 2))
+    shares = np.zeros((4, *shape))
     shares[0], shares[2] = {share}, 1 - {share}
-write_uncertain(Path(words[words.index("--output") + 1]), 2, 2, rigs=rigs, quantiles=quantiles, shares=shares)
+write_uncertain(Path(words[words.index("--output") + 1]), *shape, rigs=int(changes.get("uncertainty.rigs", 64)), quantiles=quantiles,
+                shares=shares)
 """
 
 
-@pytest.mark.parametrize("share, value, words", [
-    (1.0, 50.0, "it holds in fresh draws"), (0.6, 5.0, "it falls short by "), (0.54, 50.0, "it isn't told by fresh draws")])
-def test_fresh_draws_are_asked_for_the_motion_too(tmp_path, operate, share, value, words):
-    program = tmp_path / "program"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(tmp_path / "noted"), value=value, share=share))
+def program_that_computes(folder, value, share=0):
+    """(an executable that writes a box with its worst value at a fourth of the rows and a third of the columns, and `value` at a place
+    alone; reads {changed key: value} of each time that it was started)"""
+    noted, program = folder / "noted", folder / "program"
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value, share=share))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    return program, lambda: [dict(word.split("=") for word in words.splitlines() if "=" in word) for words in noted.read_text().split("\n\n") if words]
+
+
+@pytest.mark.parametrize("share, value, words", [
+    (1.0, 50.0, "it holds in fresh draws"), (0.6, 5.0, "it falls short in fresh draws"), (0.54, 50.0, "it isn't told by fresh draws")])
+def test_fresh_draws_are_asked_for_the_motion_too(tmp_path, operate, share, value, words):
+    program, _ = program_that_computes(tmp_path, value, share)
     shares = np.zeros((4, ROWS, COLUMNS))
     shares[0], shares[2] = 0.9, 0.1
     path = write_uncertain(tmp_path / "a.h5", shares=shares, quantiles=np.full((3, ROWS, COLUMNS), 20.0))
@@ -252,55 +266,57 @@ def test_fresh_draws_are_asked_for_the_motion_too(tmp_path, operate, share, valu
     assert (code, complaint) == (0, "") and line.startswith(words) and f"{100 * share:.4g} % end in 1/1" in line
 
 
-@pytest.mark.parametrize("value, words", [(50.0, "it holds in fresh draws"), (30.0, "it falls short by ")])
-def test_fresh_draws_are_many_more_over_the_drift(tmp_path, operate, value, words):
-    program, noted = tmp_path / "program", tmp_path / "noted"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value, share=0))
-    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+@pytest.mark.parametrize("value, words", [(50.0, "it holds in fresh draws"), (30.0, "it falls short in fresh draws")])
+def test_fresh_draws_are_many_more_at_the_worst_place_of_the_drift(tmp_path, operate, value, words):
+    program, changes = program_that_computes(tmp_path, value)
     path = write_uncertain(tmp_path / "a.h5")
     code, told, complaint = operate(path, "--risk", "0.95", "--hz", "0.5", "--mm", "0.1", "--verify", "--peterka", program)
     assert (code, complaint) == (0, "")
     worst = np.nanmax(plain(LOW, LOW >= 0, 0.5, 0.1))
-    line = told.splitlines()[-1]
-    assert line.startswith(words) and f"95 % reach {WEIGHT * value:.4g} N ({100 * (value / worst - 1):+.2g} %" in line
-    assert "of 1,024 rigs, 960 of them new, at places of their own (frequency within ±0.5 Hz, gap within ±0.1 mm)" in line
-    assert f"of all at least {100 * least_share_above(52, 1024):.3g} %, in 19 cases of 20" in line
-    keys = dict(word.split("=") for word in noted.read_text().splitlines() if "=" in word)
-    assert [float(keys[f"uncertainty.operating_point.{key}"]) for key in ("frequency_hz.from", "frequency_hz.to", "gap_m.from", "gap_m.to")] == [
-        -0.5, 0.5, pytest.approx(-1e-4), pytest.approx(1e-4)]
-    assert keys["axes.frequency_ratio.points"] == keys["axes.gap_ratio.points"] == "1"
+    line, change = told.splitlines()[-1], 100 * (value / worst - 1)
+    beside = f"{change:+.2g}" if abs(change) < 10 else f"{change:+.0f}"
+    assert line.startswith(f"{words} ({beside} % beside the map's): of 1,024 rigs, 960 of them new, at the worst of 289 places within the drift, frequency_ratio ")
+    assert f"95 % reach {WEIGHT * value:.4g} N; of all at least {100 * least_share_above(52, 1024):.3g} % there, in 19 cases of 20" in line
+    ratio, gap = (float(re.search(rf"best: .*{name} ([\d.]+)", told)[1]) for name in ("frequency_ratio", "gap_ratio"))
+    within, alone = changes()
+    for axis, middle, width, at in (("frequency_ratio", ratio, 0.5 / 4.5, 17 // 3), ("gap_ratio", gap, 0.1 / 0.89, 17 // 4)):
+        ends = [float(within[f"axes.{axis}.{key}"]) for key in ("from", "to")]
+        assert ends == pytest.approx([middle - width, middle + width], rel=1e-4) and within[f"axes.{axis}.points"] == "17"
+        assert [float(alone[f"axes.{axis}.{key}"]) for key in ("from", "to", "points")] == pytest.approx([np.linspace(*ends, 17)[at]] * 2 + [1])
+    assert "uncertainty.rigs" not in within and alone["uncertainty.rigs"] == "1024"
+    hertz, millimetres = (float(number) for number in re.search(r"within the drift, .*?([\d.]+) Hz.*?([\d.]+) mm", line).groups())
+    assert hertz == pytest.approx(4.5 * float(alone["axes.frequency_ratio.from"]), rel=1e-4)
+    assert millimetres == pytest.approx(0.89 * float(alone["axes.gap_ratio.from"]), rel=1e-4)
 
 
-@pytest.mark.parametrize("table", ["[uncertainty.operating_point.gap_ratio]\nstandard_deviation = 0.01\n",
-                                   '[uncertainty.covariance]\nof = ["operating_point.gap_m"]\nmean = [0.0]\nmatrix = [[1e-9]]\n'])
-def test_a_place_that_is_uncertain_in_the_job_keeps_that(tmp_path, table):
-    path = write_uncertain(tmp_path / "a.h5")
+def test_without_a_drift_the_place_alone_is_drawn(tmp_path, operate):
+    program, changes = program_that_computes(tmp_path, 30.0)
+    told = operate(write_uncertain(tmp_path / "a.h5"), "--risk", "0.95", "--hz", "0", "--mm", "0", "--verify", "--peterka", program)[1]
+    assert len(changes()) == 1 and "960 of them new, at this place, 95 % reach" in told.splitlines()[-1]
+
+
+@pytest.mark.parametrize("change, told", [(1.5, "+50 %"), (1.012, "+1.2 %"), (0.0, "-100 %"), (0.962, "-3.8 %")])
+def test_changes_are_told_without_powers_of_ten(change, told):
+    place, quantity = Place(0, 0, 20.0, 20.0, (1, 1), 1.0), Quantity("peak_force", "", 1.0, "N")
+    assert f"({told} beside the map's)" in fresh_draws.text_of(fresh_draws.Fresh(1024, 960, "here", 20 * change), place, 0.95, quantity)
+
+
+def test_chaos_at_the_best_place_is_told(tmp_path, operate):
+    chaos = np.zeros((4, ROWS, COLUMNS))
+    chaos[[kind[0] == CHAOTIC for kind in KINDS].index(True)] = 1
+    periodic = np.zeros((4, ROWS, COLUMNS))
+    periodic[0] = 1
+    for shares, is_told in ((chaos, True), (periodic, False)):
+        told = operate(write_uncertain(tmp_path / "a.h5", shares=shares), "--risk", "0.95", "--hz", "0", "--mm", "0")[1]
+        assert ("there most rigs end in chaos" in told) == is_told
+
+
+def test_what_is_not_computed_is_not_known(tmp_path, operate):
+    path = write_uncertain(tmp_path / "a.h5", quantiles=np.zeros((3, ROWS, COLUMNS)))
+    assert "has no cell at which" in operate(path, "--risk", "0.95")[2]
     with SealedFile(path, "r+") as file:
-        file.attrs["job"] += table
-    with PeterkaFile(path) as file:
-        changes, words, widths = fresh_draws._offsets(file, (0.5, 0.1))
-        _, still, _ = fresh_draws._offsets(file, (0.5, 0.0))
-    assert set(changes) == {f"uncertainty.operating_point.frequency_hz.{end}" for end in ("from", "to")}
-    assert words == ("at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it, around the worst of 5 places "
-                     "within ±0.1 mm)")
-    assert still == "at places of their own (frequency within ±0.5 Hz, gap as uncertain as the job has it)"
-    assert widths == {"gap_ratio": pytest.approx(0.1 / 0.89)}
-
-
-def test_the_drift_of_an_uncertain_gap_is_verified_too(tmp_path, operate):
-    """The program is asked for places all over the drift by which the place was chosen."""
-    noted, program = tmp_path / "noted", tmp_path / "program"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=30.0, share=0))
-    program.chmod(program.stat().st_mode | stat.S_IXUSR)
-    path = write_uncertain(tmp_path / "a.h5")
-    with SealedFile(path, "r+") as file:
-        file.attrs["job"] += "[uncertainty.operating_point.gap_m]\nstandard_deviation = 2e-5\n"
-    code, told, complaint = operate(path, "--risk", "0.95", "--hz", "0.5", "--mm", "0.1", "--verify", "--peterka", program)
-    assert (code, complaint) == (0, ""), complaint
-    gap = float(re.search(r"gap_ratio ([\d.]+)", told)[1])
-    keys = dict(word.split("=") for word in noted.read_text().splitlines() if "=" in word)
-    assert [float(keys[f"axes.gap_ratio.{key}"]) for key in ("from", "to", "points")] == pytest.approx(
-        [gap - 0.1 / 0.89, gap + 0.1 / 0.89, 5], rel=1e-4)
+        file["regime"][-1] = NOT_COMPUTED
+    assert "has no cell among those that are computed at which" in operate(path, "--risk", "0.95")[2]
 
 
 def with_offset(path, deviation):

@@ -16,8 +16,9 @@ drift around the best place once more on a finer grid, with the same starts, by 
 folder of the pictures, and says whether its worst value is as good there, or by how much it falls short.
 --risk 0.95 asks a map with [uncertainty], whose cells have many drawn rigs, each from a start of its own where it has [starts], for the
 largest value that is reached with this probability, drift, starts and rig taken together, whatever the motion, or, with --regime, in
-that one. A probability that the number of draws can't tell is refused (59 can tell 0.95). --verify draws many more rigs, at places
-within the drift, for the best place, and tells its value beside the map's: the best of many places flatters itself.
+that one. A probability that the number of draws can't tell is refused (59 can tell 0.95). --verify computes 17 places from end to end of
+the drift (17 x 17 where both drift), draws many more rigs at the worst one, and tells its value beside the map's: the best of many places
+flatters itself, and between cells nothing was known.
 Exit codes: 0 done, whatever came out; 2 a file cannot be read or has no such place, or bad arguments; 3 a picture or the box
 cannot be written.
 """
@@ -30,7 +31,7 @@ import numpy as np
 
 from ..arrays import Mask
 from ..errors import PeterkaFileError
-from ..files.regimes import PERIODIC
+from ..files.regimes import CHAOTIC, NAMES, PERIODIC
 from ..maps.comparison import label_codes
 from ..maps.map_file import COORDINATES, PeterkaFile
 from ..maps.outcomes import draws_of
@@ -152,6 +153,8 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     for line in words.table(file, places, quantity, "least probability of z"):
         tell(line)
     tell(words.best_lines(file, places[0], quantity, {})[0])
+    if places[0].motion == NAMES[CHAOTIC]:
+        tell("  there most rigs end in chaos, whose force is the largest one observed while it was followed, and which may end later")
     said = quantity, draws.in_words, "\n".join(filter(None, [drift, boxes]))
     save_all(picture.draw(file, np.where(worst > 0, worst, np.nan), places, rows, columns, said), arguments.output_dir,
              f"{file.path.stem}_operating_point_risk", arguments.formats)
@@ -173,7 +176,7 @@ def refusal_of(file: PeterkaFile, arguments: argparse.Namespace, starts: str | f
         found, found if starts == JOB else admitted(file, MORE_THAN_HALF, quantity.name)))
     if not with_fewer:
         of = words.starts_in_words(starts)[5:] if starts == JOB else "more than half of its starts"
-        return file.refusal(f"has no cell with {of} {asked}, whatever the drift")
+        return file.refusal(f"has no {computed_cell(file)} with {of} {asked}, whatever the drift")
     inside = reaches[0].inside[:, None] & reaches[1].inside[None, :]
     free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
         starts == ANY) else ""
@@ -190,9 +193,14 @@ def refusal_at_risk(file: PeterkaFile, arguments: argparse.Namespace, found: Adm
     told_from = "" if not arguments.regime else (f"; it keeps the values of all motions together, so that these motions need a probability of "
                                                  f"{risk.needed_share(arguments.risk):g} to tell one in them")
     if not has_any and not with_less:
-        return file.refusal(f"has no cell {asked}{min(risk.KEPT):g}, whatever the drift")
+        return file.refusal(f"has no {computed_cell(file)} {asked}{min(risk.KEPT):g}, whatever the drift")
     return file.refusal(f"has no place {asked}{arguments.risk:g} {words.at_drift(file, *reaches)}{told_from}" + instead(
         "less drift" if has_any and words.drifts(*reaches) else "", "a smaller probability" if arguments.risk > min(risk.KEPT) and with_less else ""))
+
+
+def computed_cell(file: PeterkaFile) -> str:
+    """What a refusal calls a cell: of an unfinished map, the others aren't known."""
+    return "cell" if file.is_complete else "cell among those that are computed"
 
 
 def has_motion(found: Admitted, regimes: list[str] | None) -> bool:

@@ -1,8 +1,8 @@
 """The value that holds with a probability, over drift, starts and rigs together, from a map with [uncertainty].
 
 In each cell the file keeps the value that all but 5 % of the drawn rigs reach, each of them from a start of its own where the job has
-[starts]. The smallest one in a box around a cell is reached with that probability in all of its cells, and so wherever a drift within
-the box leads. How sure that is, with so many draws, follows from order statistics (peterka/sampling.py).
+[starts]. The smallest one in a box around a cell is reached with that probability in all of its cells; nothing is known between them. How
+sure that is in a cell, with so many draws, follows from order statistics (peterka/sampling.py).
 """
 
 import math
@@ -117,6 +117,7 @@ def text_of_sampling(file: PeterkaFile, risk: float, draws: Draws, regimes: Sequ
     if regimes:
         return (f"by sampling: {draws.in_words}{starts}; in each cell of a box at least {100 * risk:g} % of them end in {','.join(regimes)} and reach "
                 f"its worst value there (what misses either is added up, as the file keeps the values of all motions together: {','.join(regimes)} needs "
-                f"{100 * needed_share(risk):g} %), and so they do wherever in the box the drift leads")
-    return (f"by sampling: {draws.in_words}{starts}; in each cell of a box at least {100 * risk:g} % of them reach its worst value, and so they do "
-            f"wherever in the box the drift leads; of all rigs at least {100 * assured(risk, draws.count):.3g} %, in 19 cases of 20")
+                f"{100 * needed_share(risk):g} %); between cells nothing is known, and the best of many places flatters itself: --verify tells")
+    return (f"by sampling: {draws.in_words}{starts}; in each cell of a box at least {100 * risk:g} % of them reach its worst value; of all rigs at "
+            f"least {100 * assured(risk, draws.count):.3g} %, in 19 cases of 20 for a cell by itself; between cells nothing is known, and the best "
+            "of many places flatters itself: --verify tells")

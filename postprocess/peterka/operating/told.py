@@ -102,8 +102,8 @@ def text_of_sampling(starts: int, share: float | None) -> str:
     if share is None:
         return (f"by sampling: all {starts} starts of each cell of a box end in it, and no other motion is known there; a motion with less than "
                 f"{100 * share_excluded(starts):.2g} % of the starts isn't excluded{f' ({others})' if others else ''}")
-    return (f"by sampling: {starts} starts of each cell of a box; of all starts at least {100 * least_share(share, starts):.4g} % end in it "
-            "at each of the best box's cells, in 19 cases of 20")
+    return (f"by sampling: {starts} starts of each cell of a box; of all starts at least {100 * least_share(share, starts):.4g} % end in it, "
+            "in 19 cases of 20 for each cell of the best box by itself")
 
 
 def text_of_proof(file: PeterkaFile) -> str:
