@@ -67,7 +67,8 @@ constexpr const char* point_attractor =
     "attractor that the branch is on at the point; -1 for none of those that are kept";
 
 parallel::Extent largest_tile(const job::Job& job) {
-    if (job.kind != job::Kind::sweep) return parallel::tile_extent;
+    if (job.kind != job::Kind::sweep)
+        return job.noise.any() ? parallel::tile_extent_of_lives : parallel::tile_extent;
     const bool share_a_point = job.starts.count > 0 || job.uncertainty.rigs > 0;
     return {share_a_point ? job::branches_of_a_gap(job.sweep) : 1, job.columns.points};
 }

@@ -24,6 +24,9 @@ struct CellIndex {
 };
 
 inline constexpr Extent tile_extent{16, 16};
+// Of cells whose mean lives are computed, each of which may take seconds: a run that stops loses few of them,
+// and many ranks share a small map.
+inline constexpr Extent tile_extent_of_lives{4, 4};
 
 struct Tile {
     std::int64_t index = 0;

@@ -27,9 +27,9 @@ parallel::TileSet regions_with(const parallel::TileSet& tiles, const parallel::T
 std::vector<parallel::Tile> tiles_in(const parallel::Tile& region, const parallel::Tiling& tiling) {
     std::vector<parallel::Tile> tiles;
     for (std::int64_t row = region.row; row < region.row + region.extent.rows;
-         row += parallel::tile_extent.rows) {
+         row += tiling.largest_tile().rows) {
         for (std::int64_t column = region.column; column < region.column + region.extent.columns;
-             column += parallel::tile_extent.columns) {
+             column += tiling.largest_tile().columns) {
             tiles.push_back(tiling.tile(tiling.index_at({row, column})));
         }
     }

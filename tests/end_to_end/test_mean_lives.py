@@ -9,6 +9,7 @@ import pytest
 
 import jobs
 import launch
+import postprocessing
 
 LIVES = ("mean_life_s", "mean_life_error_s", "mean_life_least_s")
 NOISE = "[noise]\nacceleration_m_s2_per_sqrt_hz = 0.1\ncycles = 2000\n"
@@ -75,6 +76,24 @@ def test_without_starts_each_cell_tells_that_of_its_own_motion(tmp_path):
 def test_sweeps_tell_them_too(starts, tmp_path):
     cells, _ = run(tmp_path, text(NOISE + starts, kind="sweep", columns=4))
     check_lives(cells["attractor_regime" if starts else "regime"], *(cells[name] for name in LIVES))
+
+
+def test_a_map_of_lives_is_in_small_tiles(tmp_path):
+    """So that many ranks share it, and a run that stops loses little."""
+    job = text(NOISE.replace("2000", "1000"), columns=7).replace("points = 3", "points = 9")
+    run(tmp_path, job, ranks=3)
+    with h5py.File(tmp_path / "job.h5") as file:
+        assert file["regime"].chunks == (4, 4)
+        assert len(file["tiles/checksum"]) == len(file["run/tile_seconds"]) == 3 * 2
+    assert "% efficiency" in postprocessing.program("scaling", tmp_path, "job.h5", "--formats", "png")
+    (tmp_path / "refined").mkdir()
+    refined, _ = run(tmp_path / "refined", job + "[refine]\nlevels = 1\n", ranks=2)
+    with h5py.File(tmp_path / "job.h5") as file:
+        whole = {name: file[name][()] for name in ("regime", *LIVES)}
+    computed = refined["origin"] == 0
+    assert 10 < np.count_nonzero(computed)
+    for name, values in whole.items():
+        assert values[computed].tobytes() == refined[name][computed].tobytes(), name
 
 
 def test_stronger_noise_makes_lives_shorter(tmp_path):

@@ -54,7 +54,7 @@ def ranks_up_to(most: int) -> list[int]:
 def curve(record: RunRecord, cells: int, ranks: Iterable[int], machine: Machine) -> Curve:
     """The Curve of a square map of about this many cells."""
     shape = record.shape if cells == record.cells else (isqrt(cells), isqrt(cells))
-    tiles = tiles_of(shape)
+    tiles = tiles_of(shape, record.tile)
     ideal = replace(machine, service=0.0)
     real, at_once = [], []
     for _, group in groupby(ranks, lambda number: goes_by_squares(tiles[0] * tiles[1], number)):

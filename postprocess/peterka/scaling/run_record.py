@@ -8,7 +8,7 @@ import numpy as np
 from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..maps.map_file import PeterkaFile
-from .tile_costs import tiles_of, whole_tiles
+from .tile_costs import TILE, TILE_OF_LIVES, tiles_of, whole_tiles
 
 
 @dataclass(frozen=True)
@@ -18,6 +18,7 @@ class RunRecord:
     path: str
     title: str
     shape: tuple[int, int]  # in cells
+    tile: int  # cells along the side of a tile
     tile_seconds: Reals  # [rows][columns] of tiles, each scaled to a full tile
     ranks: int
     seconds: float  # wall time of solving and storing the cells
@@ -33,7 +34,8 @@ def read_record(path: Path) -> RunRecord:
     with PeterkaFile(path) as file:
         if not file.is_complete:
             raise file.refusal("is not complete; a finished map is needed")
-        rows, columns = tiles_of(file.shape)
+        tile = TILE_OF_LIVES if file.data.has("mean_life_least_s") else TILE
+        rows, columns = tiles_of(file.shape, tile)
         file.data.dataset("run/tile_seconds", (rows * columns,), REAL)
         file.data.dataset("run/ranks", (), INTEGER)
         file.data.dataset("run/solve_seconds", (), REAL)
@@ -43,4 +45,4 @@ def read_record(path: Path) -> RunRecord:
             raise file.refusal("lacks the times of some tiles; a finished map is needed")
         if ranks < 1 or not 0 < wall < np.inf:
             raise file.refusal(f"says it took {ranks} ranks {wall:g} s; a finished map is needed")
-        return RunRecord(str(file.path), file.title, file.shape, whole_tiles(seconds, file.shape), ranks, wall)
+        return RunRecord(str(file.path), file.title, file.shape, tile, whole_tiles(seconds, file.shape, tile), ranks, wall)

@@ -1,6 +1,6 @@
 """Computing time of every tile of a plane, or of a finer grid of the same plane, in dealing order.
 
-On a finer grid each measured tile represents the block of smaller tiles that cover its part of the plane; a tile of 16 x 16
+On a finer grid each measured tile represents the block of smaller tiles that cover its part of the plane; a tile of as many
 cells costs the same on both grids. Tiles at the border with fewer cells count as full ones.
 """
 
@@ -14,6 +14,7 @@ import numpy as np
 from ..arrays import Integers, Reals
 
 TILE = 16  # cells along a side
+TILE_OF_LIVES = 4  # in a map with [noise]
 ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, between successive tiles (R2 sequence, Roberts 2018)
 PIECE = 1 << 20  # tiles looked up at once
 MANY = 3500  # tiles per rank from which they are dealt by squares
@@ -108,16 +109,16 @@ def _spread(stride: int, rows: int, columns: int) -> float:
     return value
 
 
-def tiles_of(shape: tuple[int, int]) -> tuple[int, int]:
-    """Rows and columns of tiles for a grid of (rows, columns) cells."""
+def tiles_of(shape: tuple[int, int], tile: int = TILE) -> tuple[int, int]:
+    """Rows and columns of tiles with so many cells along a side for a grid of (rows, columns) cells."""
     rows, columns = shape
-    return -(-rows // TILE), -(-columns // TILE)
+    return -(-rows // tile), -(-columns // tile)
 
 
-def whole_tiles(seconds: Reals, shape: tuple[int, int]) -> Reals:
+def whole_tiles(seconds: Reals, shape: tuple[int, int], tile: int = TILE) -> Reals:
     """Times per tile in number order (n,), for a grid of (rows, columns) cells, as [rows][columns] of tiles; tiles cut by
     the border are scaled to full size."""
-    rows, columns = tiles_of(shape)
-    cells = [np.minimum(TILE, side - TILE * np.arange(count)) for side, count in zip(shape, (rows, columns))]
-    values: Reals = np.reshape(seconds, (rows, columns)) * TILE**2 / np.outer(*cells)
+    rows, columns = tiles_of(shape, tile)
+    cells = [np.minimum(tile, side - tile * np.arange(count)) for side, count in zip(shape, (rows, columns))]
+    values: Reals = np.reshape(seconds, (rows, columns)) * tile**2 / np.outer(*cells)
     return values
