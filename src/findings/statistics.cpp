@@ -49,7 +49,7 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     }
 
     statistics.transients.add(cell);
-    const LargestForce force{cell.peak_force, row, column, mass};
+    const LargestForce force{cell.peak_force, row, column, mass, cell.regime};
     statistics.largest.any_regime.take(force);
     if (cell.regime != Regime::periodic) return;
     statistics.largest.periodic.take(force);

@@ -74,11 +74,12 @@ std::string but_for_cubic(const SummaryInput& input) {
                        input.scene.job().solver.omit_tolerance);
 }
 
-// An orbit has one force, whatever start leads to it.
+// A motion with a period has one force, whatever start leads to it.
 std::string place_in_basin(const SummaryInput& input, const LargestForce& force) {
-    const findings::Extremes& largest = input.findings.statistics.largest;
-    const bool is_orbit = force.peak_force_ratio == largest.periodic.peak_force_ratio;
-    if (is_orbit) return "on an orbit: the same from every start that leads to it" + but_for_cubic(input);
+    if (regime::has_period(force.regime)) {
+        const char* motion = force.regime == Regime::periodic ? "on an orbit" : "in lasting contact";
+        return fmt::format("{}: the same from every start that leads to it{}", motion, but_for_cubic(input));
+    }
     return "without a period, from " + start_in_words(input.scene, force.row, force.column);
 }
 

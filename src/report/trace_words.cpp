@@ -37,10 +37,8 @@ std::string proof_in_words(const StoredCell& cell) {
 }
 
 // F/(m g0)
-std::string force_in_words(double ratio, const scene::Scene& scene) {
-    const bool rigid = job::is_rigid(scene.job().contact);
-    if (std::isnan(ratio)) return rigid ? "none (the stop is rigid)" : "not known";
-    const Scales& scales = scene.scales();
+std::string force_in_words(double ratio, const job::Job& job, const Scales& scales) {
+    if (std::isnan(ratio)) return job::is_rigid(job.contact) ? "none (the stop is rigid)" : "not known";
     return fmt::format("{}, {:.6g} weights", readable_amount(ratio * scales.weight_n, "N", 6), ratio);
 }
 
@@ -67,11 +65,12 @@ std::string cell_in_words(const StoredCell& cell, const scene::Scene& scene) {
         "  regime           {}{}\n"
         "  peak force       {}\n"
         "  decided in       {} forcing cycles, engine {}\n",
-        regime_in_words(cell), proof_in_words(cell), force_in_words(cell.peak_force, scene), cell.cycles,
+        regime_in_words(cell), proof_in_words(cell),
+        force_in_words(cell.peak_force, scene.job(), scene.scales()), cell.cycles,
         cell::engine_names[static_cast<std::size_t>(cell.engine)]);
 }
 
-std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
+std::string impacts_in_words(const trace::Trace& trace, const job::Job& job, const Scales& scales) {
     if (!trace.hardest) return "  impacts          none in the time shown\n";
     const auto& oscillator = trace.course.oscillator;
     const trace::Impact& impact = trace.impacts[trace.hardest->index];
@@ -81,7 +80,11 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
         fmt::format("  impacts          {} in the time shown; the hardest at {:.6g} s, with {:.4g} m/s\n",
                     trace.impacts.size(), impact.time * per_omega,
                     impact.speed * scales.length_m * scales.frequency_rad_per_s);
-    if (std::isnan(impact.record.peak_force)) return text;
+    if (job::is_rigid(job.contact)) return text;
+    if (std::isnan(impact.record.peak_force)) {
+        return text +
+               "                   the end of the trace cuts its contact: its peak isn't known from here\n";
+    }
     text += fmt::format(
         "                   jump at touch {}, peak {} {:.4g} ms later, pressed for {:.4g} ms, "
         "impulse {:.4g} Ns\n",
@@ -92,7 +95,13 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
     return text;
 }
 
-std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, const scene::Scene& scene) {
+// Whether another way of computing may end in another motion.
+bool is_left_open(const StoredCell& cell) {
+    return cell.regime == Regime::chaotic || cell.regime == Regime::unresolved ||
+           cell.status != regime::Status::verified;
+}
+
+std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell) {
     const StoredCell& stored = map.stored;
     const scene::Scene of_map(map.job);
     const auto at = [&](std::string_view key, const job::Axis& axis, std::int64_t index) {
@@ -105,7 +114,7 @@ std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, c
         map.job.kind == job::Kind::basin ? "Basin" : "Map", map.file.string(), map.row,
         at(row_key(map.job), map.job.rows, map.row), map.column,
         at(column_key(map.job), map.job.columns, map.column), regime_in_words(stored),
-        force_in_words(stored.peak_force, scene));
+        force_in_words(stored.peak_force, map.job, of_map.cell(map.row, map.column).scales));
     if (!map.asked_beside.empty())
         text += fmt::format("                   the nearest cell, {} from the place of this trace\n",
                             map.asked_beside);
@@ -113,6 +122,9 @@ std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, c
     const bool is_same = regime::same_label(stored, cell);
     if (!map.asked_beside.empty())
         return text + fmt::format("  this trace       has {} regime and z\n", is_same ? "the same" : "another");
+    if (!is_same && (is_left_open(stored) || is_left_open(cell)))
+        return text +
+               "  this trace       differs in regime or z, as it may where chaos can end or errors decide\n";
     if (!is_same) return text + "  this trace       DISAGREES in regime or z\n";
     const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);
     return text + fmt::format("  this trace       agrees in regime and z{}\n",
@@ -132,8 +144,8 @@ std::string trace_in_words(const scene::Scene& scene, const trace::Trace& trace,
         text += fmt::format("  start            {}\n", inside);
     }
     if (trace.course.cell) text += cell_in_words(cell, scene);
-    text += impacts_in_words(trace, scales);
-    if (map) text += map_in_words(*map, cell, scene);
+    text += impacts_in_words(trace, scene.job(), scales);
+    if (map) text += map_in_words(*map, cell);
     return text;
 }
 

@@ -92,10 +92,10 @@ std::vector<Column<Counted>> columns_of_impacts(const Trace& trace, const Scales
         {real("touch_cycle", "1", "the same in forcing cycles"), [=](const Counted& row) { return row.impact.time / period; }},
         {real("impact_speed", "m/s", "speed of the hammer against the stop at first touch"), [=](const Counted& row) { return row.impact.speed * speed; }},
         {real("touch_force_ratio", "1", "force to which the stop jumps at first touch over hammer weight, F/(m g0); NaN on a rigid stop"), [=](const Counted& row) { return force_at_touch(oscillator, row.impact.speed) * force; }},
-        {real("peak_force_ratio", "1", "peak force of the impact over hammer weight, F/(m g0); NaN on a rigid stop"), [=](const Counted& row) { return row.impact.record.peak_force * force; }},
-        {real("impulse", "N s", "impulse of the impact"), [=](const Counted& row) { return row.impact.record.impulse * scales.force_n * per_omega; }},
-        {real("contact_time", "s", "time for which the stop presses"), [=](const Counted& row) { return row.impact.record.contact_time * per_omega; }},
-        {real("work", "J", "work that the impact takes from the hammer's motion in the cart"), [=](const Counted& row) { return row.impact.record.work * scales.force_n * scales.length_m; }},
+        {real("peak_force_ratio", "1", "peak force of the impact over hammer weight, F/(m g0); NaN on a rigid stop, and where the end of the trace cuts the contact"), [=](const Counted& row) { return row.impact.record.peak_force * force; }},
+        {real("impulse", "N s", "impulse of the impact; NaN where the end of the trace cuts the contact"), [=](const Counted& row) { return row.impact.record.impulse * scales.force_n * per_omega; }},
+        {real("contact_time", "s", "time for which the stop presses; NaN where the end of the trace cuts the contact"), [=](const Counted& row) { return row.impact.record.contact_time * per_omega; }},
+        {real("work", "J", "work that the impact takes from the hammer's motion in the cart; NaN where the end of the trace cuts the contact"), [=](const Counted& row) { return row.impact.record.work * scales.force_n * scales.length_m; }},
     };
 }
 
@@ -141,7 +141,7 @@ void add_hardest(std::vector<Table>& tables, const Trace& trace, const Scales& s
     };
     scalar({"impact", Number::int32, -1, "1", "which of the impacts this is, the hardest one"},
            static_cast<double>(hardest.index));
-    if (hardest.peak.phase == Phase::contact) {
+    if (hardest.peak.phase == Phase::contact && !std::isnan(trace.impacts[hardest.index].record.peak_force)) {
         scalar(real("peak_time", "s", "time of the peak force since the trace began"),
                hardest.peak.time * per_omega);
         scalar(real("peak_force_ratio", "1", "peak force of this impact over hammer weight, F/(m g0)"),

@@ -154,6 +154,34 @@ def test_a_place_is_computed_where_it_was_asked_for_and_the_distance_to_the_near
         assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == (frequency[7], gap[3])
 
 
+def test_the_force_of_the_nearest_cell_is_that_of_its_own_mass(tmp_path):
+    job = jobs.RIG.format(kind="map", title="masses") + jobs.axis("frequency_ratio", 1.6, 2.0, 3)
+    (tmp_path / "map.toml").write_text(job + jobs.axis("hammer.mass_kg", 0.2, 0.4, 3) + "[operating_point]\ngap_ratio = 1.0\n")
+    done = launch.run("run", "map.toml", "--quiet", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    _, said = compute(tmp_path, jobs.trace_of("map.h5", "[operating_point]\nfrequency_ratio = 1.8\n[hammer]\nmass_kg = 0.33\n"))
+    with h5py.File(tmp_path / "map.h5") as file:
+        stored = file["peak_force_ratio"][1, 1]
+    newton, weights = map(float, re.search(r"  stores .*, ([\d.]+) N, ([\d.]+) weights", said).groups())
+    assert "the nearest cell" in said and weights == pytest.approx(stored, rel=1e-5)
+    assert newton == pytest.approx(stored * 0.3 * 9.80665, rel=1e-5)
+
+
+def test_a_contact_that_the_end_cuts_has_no_peak(tmp_path):
+    """A hammer that the gap presses onto its stop is in contact at phase 0."""
+    text = jobs.trace(1.12037, -1.43105)
+    settings = ("--set", "trace.cycles=1", "--set", "contact.stiffness_n_per_m=457", "--set", "contact.damping_ns_per_m=22.2", "--set",
+                "hammer.damping_ns_per_m=1.355")
+    path, said = compute(tmp_path, text, *settings)
+    with h5py.File(path) as file:
+        assert np.isnan(file["impacts/peak_force_ratio"][()]).tolist() == [True] and "impact/peak_force_ratio" not in file
+    assert "1 in the time shown" in said and "the end of the trace cuts its contact" in said
+    path, said = compute(tmp_path, text, *settings, "--set", "trace.cycles=2", "--fresh")
+    with h5py.File(path) as file:
+        assert np.isnan(file["impacts/peak_force_ratio"][()]).tolist() == [False, True] and "impact/peak_force_ratio" in file
+    assert "2 in the time shown" in said and "cuts its contact" not in said
+
+
 @pytest.mark.parametrize("corner", [(0, 0), (-1, -1)])
 def test_a_place_at_a_corner_of_the_map_is_its_cell(tmp_path, small_map_file, corner):
     with h5py.File(small_map_file) as file:

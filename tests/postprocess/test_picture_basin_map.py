@@ -56,9 +56,9 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
         r"$z$ = 1/1, $F/(m\,g)$ = 20 (12.5 %)",
         r"$z$ = 1/2, $F/(m\,g)$ = 60 (12.5 %)",
     ]
-    assert texts[4] == r"chaotic, $F/(m\,g)$ = 9 (12.5 %)"
+    assert texts[4] == r"chaotic, $F/(m\,g)$ = 9 of one start (12.5 %)"
     assert texts[5:7] == ["sustained contact (6.2 %)", "unresolved (6.2 %)"]
-    phase = r"its attractor, at forcing phase 0:" "\n" r"$x = u$, $\dot{x} = \dot{u} + A_0\Omega$, $A_0\Omega/(A_0\omega)$ = 1.8"
+    phase = r"a point of its attractor at forcing phase 0:" "\n" r"$x = u$, $\dot{x} = \dot{u} + A_0\Omega$, $A_0\Omega/(A_0\omega)$ = 1.8"
     assert texts[7:] == [phase, "stop at $t$ = 0: $x$ = gap"]
 
 
@@ -99,6 +99,15 @@ def test_a_mark_outside_the_picture_does_not_widen_it(tmp_path):
         drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
     assert drawn.map_axes.get_xlim() == pytest.approx((-4, 4))
     assert drawn.legend_texts()[1:] == ["1 attractor lies outside the picture", "stop at $t$ = 0: $x$ = gap"]
+
+
+@pytest.mark.parametrize("displacement, told", [(100.0, "1 point lies outside the picture"), (0.0, "a point of its attractor at forcing phase 0")])
+def test_of_an_orbit_of_several_cycles_one_point_is_known(tmp_path, displacement, told):
+    """That it lies outside says nothing of the others."""
+    table = [row(1, 4, 8, 20.0, 16, displacement=displacement)]
+    with PeterkaFile(write_basin(tmp_path / "a.h5", [[orbit(4, 8)] * 4] * 4, table, np.zeros((4, 4)))) as file:
+        texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
+    assert any(text.startswith(told) for text in texts) and not any("attractor lies" in text or "its attractor," in text for text in texts)
 
 
 def test_scales_in_mm_and_metres_a_second_follow_the_file(basin, tmp_path):

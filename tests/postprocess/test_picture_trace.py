@@ -51,8 +51,11 @@ def test_displacements_are_in_mm_and_forces_in_newtons(tmp_path):
     assert "mm" in displacements.get_ylabel() and "(N)" in force.get_ylabel() and "m/s²" in acceleration.get_ylabel()
     with h5py.File(path) as file:
         samples = np.stack([file["time"][()], file["force_ratio"][()] * WEIGHT], axis=1)
-        peaks = np.stack([file["impacts/touch_time"][()], 3 * [PEAK * WEIGHT]], axis=1)
-        points = np.concatenate([peaks, samples])  # of the line: at each impact its peak, before a sample at the same time
+        touches = file["impacts/touch_time"][()]
+        zeros, jumps = (np.stack([touches, 3 * [height * WEIGHT]], axis=1) for height in (0, JUMP))
+        sampled = samples[np.searchsorted(samples[:, 0], touches + 1e-4), 0]  # one in each contact
+        peaks = np.stack([sampled, 3 * [PEAK * WEIGHT]], axis=1)
+        points = np.concatenate([zeros, jumps, samples, peaks])  # in this order where they have the same time
         np.testing.assert_allclose(np.stack(list(line(force, 0)), axis=1), points[np.argsort(points[:, 0], kind="stable")])
         np.testing.assert_allclose(list(line(force, 1))[1], 3 * [PEAK * WEIGHT])
         np.testing.assert_allclose(list(line(acceleration, 0))[1], file["hammer_acceleration"][()])
@@ -177,6 +180,64 @@ def test_a_trace_tells_the_peak_of_the_steady_motion_from_that_of_the_way_to_it(
             title = " ".join(figure_of(picture.draw(file, units="si"))._suptitle.get_text().split())
             assert f"hardest impact {hardest * WEIGHT:.4g} N" in title and words in title
             assert times == 1 or f"{times * hardest * WEIGHT:.4g} N" in title
+    with SealedFile(path, "r+") as file:
+        file["impacts/peak_force_ratio"][-1] = np.nan
+    with TraceFile(path) as file:
+        title = " ".join(figure_of(motion.draw(file, units="si"))._suptitle.get_text().split())
+        assert title.endswith(f"peak of the steady motion {times * hardest * WEIGHT:.4g} N") and "hardest" not in title
+
+
+def shaped(path, contact, cut=False):
+    """A trace whose contacts last so long, over many samples; cut: the last one by the end of the trace, and so not known."""
+    write_trace(path, cycles=2, samples=400)
+    with SealedFile(path, "r+") as file:
+        time = file["motion/time" if "motion" in file else "time"]
+        times = time[...]
+        since = np.mod(times - TOUCH + 1e-12, 1 / HZ)
+        forces = np.where((since < contact) & (times > TOUCH - 1e-9), np.interp(since, [0, contact / 3, contact], [JUMP, PEAK, 0]), 0)
+        file["force_ratio"][...] = forces
+        file["impacts/contact_time"][...] = contact
+        if cut:
+            for name in ("peak_force_ratio", "contact_time", "impulse", "work"):
+                file[f"impacts/{name}"][-1] = np.nan
+    return path
+
+
+@pytest.mark.parametrize("contact", [1e-5, 1e-3, 0.03])
+def test_a_force_jumps_at_the_touch_and_has_its_peak_later(tmp_path, contact):
+    panel = drawn(shaped(tmp_path / "a.h5", contact), motion, tmp_path).axes[2]
+    times, forces = line(panel, 0)
+    peaks, heights = line(panel, 1)
+    touches = TOUCH + np.arange(2) / HZ
+    assert heights == pytest.approx([PEAK * WEIGHT] * 2)
+    assert peaks == pytest.approx(touches + contact / 3 * (contact > 1e-4), abs=1.1 / (400 * HZ))
+    assert np.all(np.diff(times) >= 0)
+    for touch in touches:
+        at = np.flatnonzero(times == touch)
+        assert list(forces[at][:2]) == pytest.approx([0, JUMP * WEIGHT])
+        pressed = forces[(times >= touch) & (times <= touch + contact)]
+        risen = np.diff(pressed[1:])
+        assert np.sum((risen[:-1] > 1e-9) & (risen[1:] < -1e-9)) <= 1, "one maximum"
+
+
+def test_an_impact_that_the_end_of_the_trace_cuts_has_no_peak(tmp_path):
+    path = shaped(tmp_path / "a.h5", 0.03, cut=True)
+    panel = drawn(path, motion, tmp_path).axes[2]
+    peaks, _ = line(panel, 1)
+    assert len(peaks) == 1 and np.isfinite(list(line(panel, 0))[1]).all()
+
+
+def test_a_peak_after_the_end_of_the_trace_is_not_shown(tmp_path):
+    """That of a release is known beyond the end."""
+    path = shaped(tmp_path / "a.h5", 0.03)
+    with SealedFile(path, "r+") as file:
+        end = TOUCH + 1 / HZ + 0.008
+        times = file["time"][...] * end / file["time"][-1]
+        file["time"][...] = times
+        since = np.mod(times - TOUCH + 1e-12, 1 / HZ)
+        file["force_ratio"][...] = np.where((since < 0.03) & (times > TOUCH - 1e-9), np.interp(since, [0, 0.01, 0.03], [JUMP, PEAK, 0]), 0)
+    peaks, _ = line(drawn(path, motion, tmp_path).axes[2], 1)
+    assert len(peaks) == 1 and peaks[0] < 0.04
 
 
 def test_impacts_on_a_rigid_stop_have_speeds_instead_of_forces(tmp_path):

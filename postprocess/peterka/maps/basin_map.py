@@ -58,7 +58,7 @@ def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     marks = _attractor_points(file, named, named_entries)
     inside = [point for point in marks if _is_inside(file, point)]
     ax = _draw(file, ax, ["attractor", "regime", "impacts", "period"], label, entries, 1,
-                       _mark_handles(file, len(inside), len(marks) - len(inside)))
+                       _mark_handles(file, len(inside), len(marks) - len(inside), int(np.max(table.period[named], initial=1))))
     for x, y, colour in inside:
         ax.plot(x, y, **MARK | {"markerfacecolor": fill(colour).colour})
     return ax
@@ -152,7 +152,8 @@ def _attractor_entries(table: Attractors, named: Integers, newtons: float | None
             factor = newtons or 1.0
             others = [factor * table.peak_force_ratio[other] for other, theirs in zip(named, classes) if theirs == entry]
             force = units.number_apart(factor * table.peak_force_ratio[row], others)
-            text += f", $F$ = {force} N" if newtons else f", $F/(m\\,g)$ = {force}"
+            is_one = "" if table.regime[row] != CHAOTIC else " of one start"  # others observe a little more or less
+            text += (f", $F$ = {force} N" if newtons else f", $F/(m\\,g)$ = {force}") + is_one
         elif table.regime[row] == PERIODIC and classes.count(entry) > 1:
             factor = 1e3 * metres if metres else 1.0
             others = [factor * table.orbit_displacement[other] for other, theirs in zip(named, classes) if theirs == entry]
@@ -177,7 +178,7 @@ def _mixed(colour: str, weight: float, towards: str) -> str:
 
 def _attractor_points(file: PeterkaFile, named: Integers,
                       entries: Sequence[tuple[str, str | Fill]]) -> list[tuple[float, float, str | Fill]]:
-    """(x/A0, x'/(A0 omega), colour) of each orbit at phase 0; a chaotic attractor is not a single point."""
+    """(x/A0, x'/(A0 omega), colour) of a point of each orbit at phase 0, of q; a chaotic attractor is not a single point."""
     frequency_ratio, table = file.positive("frequency_ratio"), file.attractors
     if frequency_ratio is None or table is None:
         return []
@@ -190,11 +191,14 @@ def _is_inside(file: PeterkaFile, point: tuple[float, float, str | Fill]) -> boo
     return all(axis.edges[0] <= value <= axis.edges[-1] for axis, value in zip((file.columns, file.rows), point))
 
 
-def _mark_handles(file: PeterkaFile, inside: int, outside: int) -> list[Artist]:
-    handles = [Line2D([], [], label=f"its attractor, at forcing phase 0{_relative_in_words(file)}", **MARK | {"markerfacecolor": "white"})]
+def _mark_handles(file: PeterkaFile, inside: int, outside: int, longest: int) -> list[Artist]:
+    """longest: the largest number of cycles of an attractor."""
+    of_what = "its attractor," if longest == 1 else "a point of its attractor"
+    handles = [Line2D([], [], label=f"{of_what} at forcing phase 0{_relative_in_words(file)}", **MARK | {"markerfacecolor": "white"})]
     handles = handles if inside else []
     if outside:
-        words = "1 attractor lies" if outside == 1 else f"{outside} attractors lie"
+        kind = "attractor" if longest == 1 else "point"
+        words = f"1 {kind} lies" if outside == 1 else f"{outside} {kind}s lie"
         handles.append(Line2D([], [], label=f"{words} outside the picture", linestyle="none"))
     return handles
 

@@ -64,12 +64,33 @@ def _draw_force(ax: Axes, file: TraceFile) -> None:
     time = file.motion["time"]
     force, unit = trace_look.force(file, file.motion["force_ratio"])
     assert file.impacts is not None
-    touches, maxima = file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0]
-    places = np.searchsorted(time, touches)
-    ax.plot(np.insert(time, places, touches), np.insert(force, places, maxima), **trace_look.FORCE_LINE)
-    ax.plot(touches, maxima, **PEAK)
+    touches, jumps, maxima = file.impacts["touch_time"], *(
+        trace_look.force(file, file.impacts[name])[0] for name in ("touch_force_ratio", "peak_force_ratio"))
+    peak_times = _peak_times(time, force, touches, jumps, maxima, file.impacts["contact_time"])
+    shown = np.isfinite(peak_times)
+    # at each touch the force jumps from 0; the peak, which is sampled only nearby, lies on the line, too
+    times = np.concatenate([touches, touches, time, peak_times[shown]])
+    forces = np.concatenate([np.zeros(touches.size), jumps, force, maxima[shown]])
+    order = np.argsort(times, kind="stable")
+    ax.plot(times[order], forces[order], **trace_look.FORCE_LINE)
+    ax.plot(peak_times[shown], maxima[shown], **PEAK)
     ax.set_ylabel(f"force ({unit})")
     trace_look.second_force_scale(ax, file)
+
+
+def _peak_times(time: Reals, force: Reals, touches: Reals, jumps: Reals, maxima: Reals, lengths: Reals) -> Reals:
+    """When each impact has its peak, to within a sample; at the touch where it lasts no longer, NaN where the trace ends before."""
+    places = touches.copy()
+    for number, (touch, jump, peak, length) in enumerate(zip(touches, jumps, maxima, lengths)):
+        end = touch + length
+        inside = np.flatnonzero((time > touch) & (time < end))
+        if not np.isfinite(peak) or not np.isfinite(length):
+            places[number] = np.nan
+        elif jump < peak and inside.size:
+            at = inside[np.argmax(force[inside])]
+            ends_before = end > time[-1] and at == time.size - 1
+            places[number] = np.nan if ends_before else time[at]
+    return places
 
 
 def _near_the_hammer(file: TraceFile) -> bool:

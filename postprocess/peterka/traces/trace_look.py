@@ -83,8 +83,10 @@ def peaks(file: TraceFile) -> str:
     """Whether the hardest impact shown is that of the steady motion, or of the way to it, in one line; empty if the file doesn't tell."""
     if file.cell is None or file.impacts is None or file.cell["regime"] != PERIODIC or file.steady_peak is None:
         return ""
-    hardest = float(np.nanmax(file.impacts["peak_force_ratio"], initial=0.0))
+    hardest = float(np.max(file.impacts["peak_force_ratio"], initial=0.0))
     (shown, unit), (steady, _) = (force(file, np.float64(value)) for value in (hardest, file.steady_peak))
+    if np.isnan(hardest):  # the end of the trace cuts a contact
+        return f"peak of the steady motion {steady:.4g} {unit}"
     if hardest > file.steady_peak * (1 + SAME):
         return f"hardest impact {shown:.4g} {unit}, on the way to the steady motion, whose peak is {steady:.4g} {unit}"
     if hardest >= file.steady_peak * (1 - SAME):
