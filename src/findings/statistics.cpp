@@ -52,7 +52,6 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     const LargestForce force{cell.peak_force, row, column, mass, cell.regime};
     statistics.largest.any_regime.take(force);
     if (cell.regime != Regime::periodic) return;
-    statistics.largest.periodic.take(force);
     if (cell.impacts == 1 && cell.period == 1) statistics.largest.one_to_one.take(force);
     ++statistics.periodic_cells[{cell.period, cell.impacts}];
 }
@@ -78,7 +77,6 @@ void LargestForce::take(const LargestForce& other) {
 
 void Extremes::take(const Extremes& other) {
     any_regime.take(other.any_regime);
-    periodic.take(other.periodic);
     one_to_one.take(other.one_to_one);
 }
 

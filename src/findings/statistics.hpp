@@ -57,7 +57,6 @@ struct Counts {
 
 struct Extremes {
     LargestForce any_regime;
-    LargestForce periodic;
     LargestForce one_to_one;  // z = 1/1
 
     void take(const Extremes& other);

@@ -104,6 +104,14 @@ bool takes_dataset(const hdf5::Checked& check, hid_t file, const DatasetPlan& pl
     return true;
 }
 
+// Whether a dataset is the planned one but for its chunks, as in maps with [noise] until 2026-11-28.
+bool has_other_tiles(const hdf5::Checked& check, hid_t file, const DatasetPlan& plan) {
+    if (!plan.is_tiled() || !is_own_link(file, plan.path())) return false;
+    const hdf5::DatasetId dataset(H5Dopen2(file, plan.path().c_str(), H5P_DEFAULT));
+    return dataset.id() >= 0 && has_type(check, dataset, plan.variable.number) &&
+           has_size(check, dataset, plan.dimensions) && !has_chunks(check, dataset, plan);
+}
+
 }  // namespace
 
 bool is_own_link(hid_t file, const std::string& path) {
@@ -121,8 +129,11 @@ std::optional<std::string> layout_fault(const hdf5::Checked& check, hid_t file, 
     for (const DatasetPlan& plan : layout(job)) {
         if (plan.group != group && !takes_group(check, file, group = plan.group, taken))
             return fmt::format("group {} is missing or not its own", plan.group);
-        if (!takes_dataset(check, file, plan, taken))
-            return fmt::format("dataset {} is missing or not of its kind", plan.path());
+        if (!takes_dataset(check, file, plan, taken)) {
+            return fmt::format("dataset {} is {}", plan.path(),
+                               has_other_tiles(check, file, plan) ? "in other tiles than this program's"
+                                                                  : "missing or not of its kind");
+        }
     }
     return taken.fault(std::filesystem::file_size(check.path()));
 }

@@ -3,13 +3,13 @@
 // It is home where, at forcing phase 0, it is about as near to its orbit as disturbances keep it
 // (noise/home.hpp). While it is away, it is asked at random, once in 64 cycles on average, or three times its
 // relaxation time, at most 2000, whether it would return within 500 cycles, or twenty times its relaxation
-// time, without disturbances. If not, it has left. Its mean life is the mean time until then, counted up to
-// when, since it was last home or seen to return, it would no longer have returned; excursions from which
-// disturbances brought it home before it was asked don't count. Strong disturbances bring it back by chance,
-// and the longer this is waited for, the more often: so it is asked on average after at most a quarter of the
-// mean time until it would first not return (the first exit from its basin at phase 0, of which up to 200 are
-// followed before), or each cycle. Since it is asked at random, lives grow at most in proportion to that time,
-// whose error theirs has.
+// time, without disturbances. If not, it has left. Its mean life is the mean time until then, without
+// those cycles since it was last home or seen to return from whose ends it wouldn't have returned, either;
+// excursions from which disturbances brought it home before it was asked don't count. Strong disturbances bring
+// it back by chance, and the longer this is waited for, the more often: so it is asked on average after at most
+// a quarter of the mean time until it would first not return (the first exit from its basin at phase 0, of
+// which up to 200 are followed before), or each cycle. Since it is asked at random, lives grow at most in
+// proportion to that time, whose error theirs has.
 //
 // Where it leaves often, many lives are followed. Where it leaves rarely, the rate at which it departs from
 // home is multiplied by the probability that a departure leaves, by adaptive multilevel splitting (Cerou &

@@ -98,7 +98,7 @@ std::string impacts_in_words(const trace::Trace& trace, const job::Job& job, con
 // Whether another way of computing may end in another motion.
 bool is_left_open(const StoredCell& cell) {
     return cell.regime == Regime::chaotic || cell.regime == Regime::unresolved ||
-           cell.status != regime::Status::verified;
+           cell.status == regime::Status::rounding;
 }
 
 std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell) {
@@ -120,11 +120,12 @@ std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell) {
                             map.asked_beside);
     if (!stored.computed) text += "                   filled from the cells around it, not computed\n";
     const bool is_same = regime::same_label(stored, cell);
-    if (!map.asked_beside.empty())
-        return text + fmt::format("  this trace       has {} regime and z\n", is_same ? "the same" : "another");
+    if (!map.asked_beside.empty() || (!stored.computed && !is_same))
+        return text + fmt::format("  this trace       has {}\n",
+                                  is_same ? "the same regime and z" : "another regime or z");
     if (!is_same && (is_left_open(stored) || is_left_open(cell)))
         return text +
-               "  this trace       differs in regime or z, as it may where chaos can end or errors decide\n";
+               "  this trace       differs in regime or z, as it may where chaos can end or rounding decides\n";
     if (!is_same) return text + "  this trace       DISAGREES in regime or z\n";
     const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);
     return text + fmt::format("  this trace       agrees in regime and z{}\n",

@@ -239,17 +239,20 @@ if shape != (1, 1):
 shares = None
 if {share}:
     shares = np.zeros((4, *shape))
-    shares[0], shares[2] = {share}, 1 - {share}
+    shares[0] = {share}
+    if shape != (1, 1):  # the worst place, or two of which the motion is too rare to tell a value in it, the second one more so
+        shares[0, :2, 3], shares[0, shape[0] // 4, shape[1] // 3] = 0.54, 0.53 if {rare} else {share}
+    shares[2] = 1 - shares[0]
 write_uncertain(Path(words[words.index("--output") + 1]), *shape, rigs=int(changes.get("uncertainty.rigs", 64)), quantiles=quantiles,
                 shares=shares)
 """
 
 
-def program_that_computes(folder, value, share=0):
+def program_that_computes(folder, value, share=0, rare=False):
     """(an executable that writes a box with its worst value at a fourth of the rows and a third of the columns, and `value` at a place
     alone; reads {changed key: value} of each time that it was started)"""
     noted, program = folder / "noted", folder / "program"
-    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value, share=share))
+    program.write_text(PROGRAM.format(python=sys.executable, path=sys.path, noted=str(noted), value=value, share=share, rare=rare))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
     return program, lambda: [dict(word.split("=") for word in words.splitlines() if "=" in word) for words in noted.read_text().split("\n\n") if words]
 
@@ -264,6 +267,19 @@ def test_fresh_draws_are_asked_for_the_motion_too(tmp_path, operate, share, valu
     code, told, complaint = operate(path, "--risk", "0.5", "--regime", "1/1", "--verify", "--peterka", program)
     line = told.splitlines()[-1]
     assert (code, complaint) == (0, "") and line.startswith(words) and f"{100 * share:.4g} % end in 1/1" in line
+
+
+def test_the_worst_place_is_where_a_motion_is_rarest(tmp_path, operate):
+    program, changes = program_that_computes(tmp_path, 50.0, 0.9, rare=True)
+    shares = np.zeros((4, ROWS, COLUMNS))
+    shares[0], shares[2] = 0.9, 0.1
+    path = write_uncertain(tmp_path / "a.h5", shares=shares, quantiles=np.full((3, ROWS, COLUMNS), 20.0))
+    code, _, complaint = operate(path, "--risk", "0.5", "--regime", "1/1", "--verify", "--peterka", program)
+    assert (code, complaint) == (0, "")
+    within, alone = changes()
+    for axis, at in (("frequency_ratio", 17 // 3), ("gap_ratio", 17 // 4)):
+        ends = [float(within[f"axes.{axis}.{key}"]) for key in ("from", "to")]
+        assert float(alone[f"axes.{axis}.from"]) == pytest.approx(np.linspace(*ends, 17)[at])
 
 
 @pytest.mark.parametrize("value, words", [(50.0, "it holds in fresh draws"), (30.0, "it falls short in fresh draws")])
@@ -308,7 +324,7 @@ def test_chaos_at_the_best_place_is_told(tmp_path, operate):
     periodic[0] = 1
     for shares, is_told in ((chaos, True), (periodic, False)):
         told = operate(write_uncertain(tmp_path / "a.h5", shares=shares), "--risk", "0.95", "--hz", "0", "--mm", "0")[1]
-        assert ("there most rigs end in chaos" in told) == is_told
+        assert ("there chaos is the commonest motion, whose force is the largest one" in told) == is_told
 
 
 def test_what_is_not_computed_is_not_known(tmp_path, operate):

@@ -160,7 +160,7 @@ TEST_F(OutputInspect, ManyNumbersInPlaceOfOne) {
 TEST_F(OutputInspect, NotInTiles) {
     make();
     replace_dataset("/cycles", H5T_STD_I32LE, {20, 20});
-    expect_refused("dataset /cycles is missing or not of its kind");
+    expect_refused("dataset /cycles is in other tiles than this program's");
 }
 
 TEST_F(OutputInspect, GroupInPlaceOfADataset) {

@@ -167,7 +167,6 @@ TEST(Summary, ABasinNamesItsPointAndItsStarts) {
 
 TEST(Summary, InABasinAnOrbitHasOneForceAndChaosOneForEachStart) {
     findings::Statistics statistics = statistics_of_a_hundred_cells();
-    statistics.largest.periodic.peak_force_ratio = 75;  // of another z
     statistics.largest.any_regime.regime = regime::Regime::chaotic;
     statistics.largest.one_to_one.regime = regime::Regime::periodic;
     const std::string text = summary(statistics, job::Kind::basin);

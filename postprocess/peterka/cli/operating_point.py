@@ -154,7 +154,8 @@ def operate_at_risk(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         tell(line)
     tell(words.best_lines(file, places[0], quantity, {})[0])
     if places[0].motion == NAMES[CHAOTIC]:
-        tell("  there most rigs end in chaos, whose force is the largest one observed while it was followed, and which may end later")
+        what = "force" if quantity.name == "peak_force" else "speed"
+        tell(f"  there chaos is the commonest motion, whose {what} is the largest one observed while it was followed, and which may end later")
     said = quantity, draws.in_words, "\n".join(filter(None, [drift, boxes]))
     save_all(picture.draw(file, np.where(worst > 0, worst, np.nan), places, rows, columns, said), arguments.output_dir,
              f"{file.path.stem}_operating_point_risk", arguments.formats)

@@ -95,7 +95,8 @@ def _worst(file: PeterkaFile, sides: dict[str, tuple[float, float, int]], box: P
         told = quantity_at(found, risk).of(admitted_at(found, risk, regimes))
         if found.shape != (sides["rows"][2], sides["columns"][2]):
             raise NotVerified(f"the places within the drift of {file.path} were computed as {found.shape[0]} x {found.shape[1]} cells")
-    worst = np.unravel_index(np.argmin(np.where(np.isfinite(told.value), told.value, -np.inf)), told.value.shape)
+    # where the motions asked for are too rare to tell a value, the rarer the worse
+    worst = np.unravel_index(np.argmin(np.where(np.isfinite(told.value), told.value, told.share - 2)), told.value.shape)
     indices = {"rows": int(worst[0]), "columns": int(worst[1])}
     alone = {}
     for side, (begin, end, points) in sides.items():

@@ -28,7 +28,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
                Line2D([], [], label=f"cart $y${at_cart}", **trace_look.CART_LINE),
                Line2D([], [], label="stop, $y + \\mathrm{gap}$", **trace_look.STOP_LINE)]
     of = "speed" if trace_look.strikes_rigid_stop(file) else "peak"
-    peaks = [] if file.impacts is None else [Line2D([], [], label=f"{of} of an impact", **PEAK)]
+    peaks = [] if not trace_look.strikes_rigid_stop(file) and not _shown_peaks(file)[0].size else [Line2D([], [], label=f"{of} of an impact", **PEAK)]
     shows_stop = _near_the_hammer(file)
     figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=2 if file.impacts is None else 3, columns=4,
                                   ax=ax)
@@ -64,33 +64,33 @@ def _draw_force(ax: Axes, file: TraceFile) -> None:
     time = file.motion["time"]
     force, unit = trace_look.force(file, file.motion["force_ratio"])
     assert file.impacts is not None
-    touches, jumps, maxima = file.impacts["touch_time"], *(
-        trace_look.force(file, file.impacts[name])[0] for name in ("touch_force_ratio", "peak_force_ratio"))
-    peak_times = _peak_times(time, force, touches, jumps, maxima, file.impacts["contact_time"])
-    shown = np.isfinite(peak_times)
+    touches, jumps = file.impacts["touch_time"], trace_look.force(file, file.impacts["touch_force_ratio"])[0]
+    peak_times, peaks = _shown_peaks(file)
     # at each touch the force jumps from 0; the peak, which is sampled only nearby, lies on the line, too
-    times = np.concatenate([touches, touches, time, peak_times[shown]])
-    forces = np.concatenate([np.zeros(touches.size), jumps, force, maxima[shown]])
+    times = np.concatenate([touches, touches, time, peak_times])
+    forces = np.concatenate([np.zeros(touches.size), jumps, force, peaks])
     order = np.argsort(times, kind="stable")
     ax.plot(times[order], forces[order], **trace_look.FORCE_LINE)
-    ax.plot(peak_times[shown], maxima[shown], **PEAK)
+    ax.plot(peak_times, peaks, **PEAK)
     ax.set_ylabel(f"force ({unit})")
     trace_look.second_force_scale(ax, file)
 
 
-def _peak_times(time: Reals, force: Reals, touches: Reals, jumps: Reals, maxima: Reals, lengths: Reals) -> Reals:
-    """When each impact has its peak, to within a sample; at the touch where it lasts no longer, NaN where the trace ends before."""
-    places = touches.copy()
-    for number, (touch, jump, peak, length) in enumerate(zip(touches, jumps, maxima, lengths)):
-        end = touch + length
-        inside = np.flatnonzero((time > touch) & (time < end))
-        if not np.isfinite(peak) or not np.isfinite(length):
-            places[number] = np.nan
-        elif jump < peak and inside.size:
-            at = inside[np.argmax(force[inside])]
-            ends_before = end > time[-1] and at == time.size - 1
-            places[number] = np.nan if ends_before else time[at]
-    return places
+def _shown_peaks(file: TraceFile) -> tuple[Reals, Reals]:
+    """(times [s] to within a sample, forces) of the impacts' peaks in the time shown: at the touch where no sample is in contact, none where the
+    trace ends before."""
+    if file.impacts is None:
+        return np.array([]), np.array([])
+    time, touches, jumps, maxima = file.motion["time"], *(file.impacts[name] for name in ("touch_time", "touch_force_ratio", "peak_force_ratio"))
+    times = touches.copy()
+    for number, end in enumerate([*touches[1:], np.inf]):
+        until_next = np.flatnonzero((time > touches[number]) & (time < end))
+        forces = file.motion["force_ratio"][until_next]
+        if jumps[number] < maxima[number] and np.any(forces > 0):
+            at = until_next[np.argmax(forces)]
+            times[number] = time[at] if at < time.size - 1 else np.nan
+    shown = np.isfinite(times) & np.isfinite(maxima)
+    return times[shown], trace_look.force(file, maxima)[0][shown]
 
 
 def _near_the_hammer(file: TraceFile) -> bool:

@@ -42,11 +42,8 @@ def _force_scale(file: TraceFile) -> tuple[float, str]:
 
 
 def strikes_rigid_stop(file: TraceFile) -> bool:
-    """Whether no impact has a force, neither at first touch nor at its peak: one that outlasts the trace has the first."""
-    if file.impacts is None:
-        return False
-    touch, peak = file.impacts["touch_force_ratio"], file.impacts["peak_force_ratio"]
-    return bool(np.all(np.isnan(peak)) and np.all(np.isnan(touch) | (touch == 0)))
+    """Whether no impact has a force at first touch, be it 0."""
+    return file.impacts is not None and bool(np.all(np.isnan(file.impacts["touch_force_ratio"])))
 
 
 def second_force_scale(ax: Axes, file: TraceFile) -> None:
@@ -83,9 +80,9 @@ def peaks(file: TraceFile) -> str:
     """Whether the hardest impact shown is that of the steady motion, or of the way to it, in one line; empty if the file doesn't tell."""
     if file.cell is None or file.impacts is None or file.cell["regime"] != PERIODIC or file.steady_peak is None:
         return ""
-    hardest = float(np.max(file.impacts["peak_force_ratio"], initial=0.0))
+    hardest = float(np.nanmax(file.impacts["peak_force_ratio"], initial=0.0))
     (shown, unit), (steady, _) = (force(file, np.float64(value)) for value in (hardest, file.steady_peak))
-    if np.isnan(hardest):  # the end of the trace cuts a contact
+    if np.isnan(file.impacts["peak_force_ratio"]).any() and hardest < file.steady_peak * (1 - SAME):  # one that the trace's end cuts may be harder
         return f"peak of the steady motion {steady:.4g} {unit}"
     if hardest > file.steady_peak * (1 + SAME):
         return f"hardest impact {shown:.4g} {unit}, on the way to the steady motion, whose peak is {steady:.4g} {unit}"
