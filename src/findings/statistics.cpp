@@ -49,7 +49,7 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     }
 
     statistics.transients.add(cell);
-    const LargestForce force{cell.peak_force, row, column, mass, cell.regime};
+    const LargestForce force{cell.peak_force, row, column, mass, static_cast<std::int64_t>(cell.regime)};
     statistics.largest.any_regime.take(force);
     if (cell.regime != Regime::periodic) return;
     if (cell.impacts == 1 && cell.period == 1) statistics.largest.one_to_one.take(force);

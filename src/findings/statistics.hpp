@@ -28,7 +28,8 @@ struct LargestForce {
     std::int64_t row = -1;
     std::int64_t column = -1;
     double mass = 1;  // of the hammer, in one unit for all cells
-    cell::Regime regime = cell::Regime::unresolved;
+    // a cell::Regime, as wide as the rest: ranks exchange these bytes
+    std::int64_t regime = static_cast<std::int64_t>(cell::Regime::unresolved);
 
     [[nodiscard]] bool found() const { return row >= 0; }
     [[nodiscard]] double force() const { return peak_force_ratio * mass; }  // by which it is the largest

@@ -76,8 +76,9 @@ std::string but_for_cubic(const SummaryInput& input) {
 
 // A motion with a period has one force, whatever start leads to it.
 std::string place_in_basin(const SummaryInput& input, const LargestForce& force) {
-    if (regime::has_period(force.regime)) {
-        const char* motion = force.regime == Regime::periodic ? "on an orbit" : "in lasting contact";
+    const auto regime = static_cast<Regime>(force.regime);
+    if (regime::has_period(regime)) {
+        const char* motion = regime == Regime::periodic ? "on an orbit" : "in lasting contact";
         return fmt::format("{}: the same from every start that leads to it{}", motion, but_for_cubic(input));
     }
     return "without a period, from " + start_in_words(input.scene, force.row, force.column);

@@ -127,8 +127,8 @@ TEST(OutputStatistics, LargestForcesAndWhere) {
     EXPECT_EQ(statistics.largest.any_regime.peak_force_ratio, 9);
     EXPECT_EQ(statistics.largest.any_regime.row, 5);
     EXPECT_EQ(statistics.largest.any_regime.column, 13);
-    EXPECT_EQ(statistics.largest.any_regime.regime, Regime::chaotic);
-    EXPECT_EQ(statistics.largest.one_to_one.regime, Regime::periodic);
+    EXPECT_EQ(statistics.largest.any_regime.regime, static_cast<std::int64_t>(Regime::chaotic));
+    EXPECT_EQ(statistics.largest.one_to_one.regime, static_cast<std::int64_t>(Regime::periodic));
     EXPECT_EQ(statistics.largest.one_to_one.peak_force_ratio, 5);
     EXPECT_EQ(statistics.largest.one_to_one.column, 12);
 }

@@ -167,15 +167,15 @@ TEST(Summary, ABasinNamesItsPointAndItsStarts) {
 
 TEST(Summary, InABasinAnOrbitHasOneForceAndChaosOneForEachStart) {
     findings::Statistics statistics = statistics_of_a_hundred_cells();
-    statistics.largest.any_regime.regime = regime::Regime::chaotic;
-    statistics.largest.one_to_one.regime = regime::Regime::periodic;
+    statistics.largest.any_regime.regime = static_cast<std::int64_t>(regime::Regime::chaotic);
+    statistics.largest.one_to_one.regime = static_cast<std::int64_t>(regime::Regime::periodic);
     const std::string text = summary(statistics, job::Kind::basin);
     EXPECT_TRUE(contains(line_with(text, "of all"),
                          "without a period, from x/A0 2.5 (2.225 mm), x'/(A0 omega) 1 (0.02516 m/s)"))
         << text;
     EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "on an orbit: the same from every start")) << text;
     EXPECT_FALSE(contains(line_with(text, "of z = 1/1"), "x/A0")) << text;
-    statistics.largest.any_regime.regime = regime::Regime::sustained_contact;
+    statistics.largest.any_regime.regime = static_cast<std::int64_t>(regime::Regime::sustained_contact);
     EXPECT_TRUE(contains(line_with(summary(statistics, job::Kind::basin), "of all"),
                          "in lasting contact: the same from every start"));
 }
