@@ -10,6 +10,7 @@
 #include "run/certify_cell.hpp"
 #include "run/elasticities.hpp"
 #include "run/mean_lives.hpp"
+#include "support/stop_if_asked.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -78,6 +79,7 @@ class TileSolver {
         open.seconds += cell.seconds;
         const auto [row, column] = open.cells[i];
         if (elasticities_.any() || scene_.job().noise.any() || wants_certificate(scene_.job(), row, column)) {
+            if (!source_.carry_on()) throw Stopped();  // a step of the pool may end many cells
             const Stopwatch afterwards;  // reading the clock takes as long as solving a cell without impact
             certify(row, column, open.results[i]);
             add_mean_life(scene_, row, column, open.results[i].cell);
