@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -28,10 +26,8 @@ using parallel::CellIndex;
 using parallel::Tile;
 using Results = std::span<const attractors::SolvedCell>;
 
-constexpr std::size_t tiles_of_lives_in_hand = 2;
-
 // Every cell of a tile.
-TileWork whole_tiles(MapFile& file, std::size_t most_in_hand) {
+TileWork whole_tiles(MapFile& file) {
     return {.begin =
                 [](const Tile& tile) {
                     std::vector<CellIndex> cells;
@@ -45,8 +41,7 @@ TileWork whole_tiles(MapFile& file, std::size_t most_in_hand) {
                 [&](const Tile& tile, Results cells, double seconds) {
                     file.write_tile(tile, cells, seconds);
                     return std::vector<CellIndex>();
-                },
-            .most_in_hand = most_in_hand};
+                }};
 }
 
 // The successive lattices of a region of tiles.
@@ -108,10 +103,9 @@ void solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     Progress progress(progress_style(session, plan), plan.job.cells(), plan.job.cells() - cells_missing);
     const regime::AttractorTable known = find_known_attractors(session, scene, stop);
     RefinedRegions regions(plan.job, file);
+    TileWork work = refines ? regions.work() : whole_tiles(file);
     // Lives take so much longer than all else that a rank with many tiles in hand leaves others without.
-    const std::size_t most_in_hand =
-        plan.job.noise.any() ? tiles_of_lives_in_hand : std::numeric_limits<std::size_t>::max();
-    const TileWork work = refines ? regions.work() : whole_tiles(file, most_in_hand);
+    if (plan.job.noise.any()) work.most_in_hand = 2;
     const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, known, work, source); };
     const bool sweeps = plan.job.kind == job::Kind::sweep;
     parallel::deal_tiles(session, tiling, std::move(missing),
