@@ -78,6 +78,8 @@ void KickScan::take_one(const KickTried& kick, const Outcome& outcome) {
             shortest_stay_ = stayed_ == 0 ? outcome.chaotic : std::min(shortest_stay_, outcome.chaotic);
             ++stayed_;
             return keep_smaller(chaotic_);
+        case Outcome::End::unknown:
+            return keep_smaller(unknown_);
         case Outcome::End::back:
             break;
     }
@@ -120,7 +122,8 @@ void KickScan::choose_stage(double before) {
 }
 
 double KickScan::tried() const {
-    return smallest_ ? smallest_->size() : largest_of_level(level_ - 1);
+    const double all = smallest_ ? smallest_->size() : largest_of_level(level_ - 1);
+    return unknown_ ? std::min(unknown_->size(), all) : all;
 }
 
 double KickScan::largest_of_level(int level) const {

@@ -28,7 +28,7 @@ class KickScan {
   public:
     // What became of a kick.
     struct Outcome {
-        enum class End : std::uint8_t { back, elsewhere, chaos };
+        enum class End : std::uint8_t { back, elsewhere, chaos, unknown };
         End end = End::back;
         std::int64_t cycles = 0;   // of its search
         std::int64_t chaotic = 0;  // those of them after the start was forgotten
@@ -43,7 +43,7 @@ class KickScan {
     [[nodiscard]] bool found() const { return smallest_.has_value(); }
     // The smallest kick that ends elsewhere, if found().
     [[nodiscard]] const KickTried& smallest() const { return *smallest_; }
-    // The size up to which kicks were tried at all phases.
+    // The size up to which kicks were tried at all phases, and the end of each is known.
     [[nodiscard]] double tried() const;
 
   private:
@@ -77,6 +77,7 @@ class KickScan {
     std::optional<KickTried> settled_;   // smallest kick that ends on another motion
     std::optional<KickTried> chaotic_;   // smallest kick that stays on chaos
     std::optional<KickTried> smallest_;  // smallest of these that counts
+    std::optional<KickTried> unknown_;   // smallest kick whose end is unknown
     bool dies_ = false;                  // chaos is transient, so kicks that stay on it do not count
     std::int64_t spent_ = 0;             // cycles of all searches
     std::int64_t stayed_ = 0;            // kicks that stayed on chaos

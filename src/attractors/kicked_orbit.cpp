@@ -19,39 +19,37 @@ scene::Oscillator<double> with_cubic(scene::Oscillator<double> oscillator, doubl
 KickedOrbit::KickedOrbit(scene::Oscillator<double> oscillator, const regime::FoundAttractor& found)
     : length_(oscillator.period()),
       map_(regime::make_cycle_map(with_cubic(oscillator, found.cubic), found.settings)) {
-    std::optional<scene::State<double>> point(std::in_place, found.result.orbit_displacement - oscillator.gap,
-                                              found.result.orbit_velocity);
-    for (int n = 0; n < found.result.period && point; ++n) {
-        points_.push_back(*point);
-        point = carry(*point, 0, length_);
+    Carried point{.state = {found.result.orbit_displacement - oscillator.gap, found.result.orbit_velocity}};
+    for (int n = 0; n < found.result.period && point.done(); ++n) {
+        points_.push_back(point.state);
+        point = carry(point.state, 0, length_);
     }
 }
 
-std::optional<scene::State<double>> KickedOrbit::after(const KickTried& kick) {
+KickedOrbit::Carried KickedOrbit::after(const KickTried& kick) {
     const double cycle = std::clamp(std::floor(kick.phase), 0.0, period() - 1.0);
     const scene::State<double>& point = points_[static_cast<std::size_t>(cycle)];
     const double moment = std::clamp(kick.phase - cycle, 0.0, 1.0) * length_;
-    auto state = moment > 0 ? carry(point, 0, moment) : point;
-    if (!state) return std::nullopt;
-    (*state)[1] += kick.change;
-    return moment > 0 && moment < length_ ? carry(*state, moment, length_) : state;
+    Carried kicked = moment > 0 ? carry(point, 0, moment) : Carried{.state = point};
+    if (!kicked.done()) return {.outcome = trajectory::Cycle<double>::Outcome::solver_failed, .state = point};
+    kicked.state[1] += kick.change;
+    return moment > 0 && moment < length_ ? carry(kicked.state, moment, length_) : kicked;
 }
 
 std::optional<scene::State<double>> KickedOrbit::round(const KickTried& kick) {
     const auto cycle = static_cast<int>(std::clamp(std::floor(kick.phase), 0.0, period() - 1.0));
-    auto state = after(kick);  // at the end of that cycle, or at its beginning if the kick acts there
-    for (int n = kick.phase > cycle ? cycle + 1 : cycle; n < period() && state; ++n) {
-        state = carry(*state, 0, length_);
+    Carried kicked = after(kick);  // at the end of that cycle, or at its beginning if the kick acts there
+    for (int n = kick.phase > cycle ? cycle + 1 : cycle; n < period() && kicked.done(); ++n) {
+        kicked = carry(kicked.state, 0, length_);
     }
-    return state;
+    if (!kicked.done()) return std::nullopt;
+    return kicked.state;
 }
 
-std::optional<scene::State<double>> KickedOrbit::carry(const scene::State<double>& from, double begin,
-                                                       double end) {
+KickedOrbit::Carried KickedOrbit::carry(const scene::State<double>& from, double begin, double end) {
     const auto part =
         std::visit([&](auto& map) -> trajectory::Cycle<double> { return map.part(from, begin, end); }, map_);
-    if (part.outcome != trajectory::Cycle<double>::Outcome::done) return std::nullopt;
-    return part.end;
+    return {part.outcome, part.end};
 }
 
 }  // namespace peterka::attractors

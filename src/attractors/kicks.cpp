@@ -10,32 +10,41 @@ namespace peterka::attractors {
 
 namespace {
 
-// A failed search yields no information.
+using End = KickScan::Outcome::End;
+
 KickScan::Outcome outcome_of(const regime::CellResult& settled, const regime::CellResult& ended) {
     using enum regime::Regime;
     KickScan::Outcome outcome{.cycles = ended.cycles};
     if (ended.forgot_after > 0) outcome.chaotic = ended.followed_cycles - ended.forgot_after;
-    if (ended.regime == failed || regime::same_attractor(settled, ended)) return outcome;
+    if (ended.regime == failed) {
+        outcome.end = ended.status == cell::Status::not_finite ? End::elsewhere : End::unknown;
+        return outcome;
+    }
+    if (regime::same_attractor(settled, ended)) return outcome;
     const bool is_chaos = ended.regime == chaotic || (ended.regime == unresolved && outcome.chaotic > 0);
-    outcome.end = is_chaos ? KickScan::Outcome::End::chaos : KickScan::Outcome::End::elsewhere;
+    outcome.end = is_chaos ? End::chaos : End::elsewhere;
     return outcome;
 }
 
-// What became of kicks that were tried together. The engine may not carry one of them to the next phase 0,
-// which yields no information either.
+// What became of kicks that were tried together. A softening spring may throw the hammer out, to where no
+// motion returns from, even before the next phase 0.
 Task<std::vector<KickScan::Outcome>> outcomes_of(SearchBroker& broker, const KickedCell& cell,
                                                  const regime::CellResult& settled, KickedOrbit& orbit,
                                                  std::vector<KickTried> kicks) {
     std::vector<SearchFactory> searches;
     std::vector<std::size_t> searched;
+    std::vector<KickScan::Outcome> outcomes(kicks.size());
     for (std::size_t i = 0; i < kicks.size(); ++i) {
-        const auto start = orbit.after(kicks[i]);
-        if (!start) continue;
-        searches.push_back(cell.search_from(*start));
+        const KickedOrbit::Carried start = orbit.after(kicks[i]);
+        if (!start.done()) {
+            const bool escapes = start.outcome == trajectory::Cycle<double>::Outcome::not_finite;
+            outcomes[i] = {.end = escapes ? End::elsewhere : End::unknown, .cycles = 1};
+            continue;
+        }
+        searches.push_back(cell.search_from(start.state));
         searched.push_back(i);
     }
     const std::vector<SearchOutcome> ended = co_await broker.searches(std::move(searches));
-    std::vector<KickScan::Outcome> outcomes(kicks.size());
     for (std::size_t i = 0; i < ended.size(); ++i) outcomes[searched[i]] = outcome_of(settled, ended[i].result);
     co_return outcomes;
 }

@@ -50,6 +50,11 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
     counts.minority += cell.start_attractor > 0 ? 1 : 0;
     counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
+    for (const StoredAttractor& each : here) {
+        if (each.regime != Regime::failed) continue;
+        ++counts.failing;
+        counts.most_failing = std::max(counts.most_failing, each.share);
+    }
     for (const StoredAttractor& each : all) {
         if (std::isnan(each.mean_life) || cell::has_period(each.regime)) continue;
         ++counts.dying;
@@ -86,6 +91,8 @@ void StartCounts::add(const StartCounts& other) {
     minority += other.minority;
     not_kept += other.not_kept;
     left_over += other.left_over;
+    failing += other.failing;
+    most_failing = std::max(most_failing, other.most_failing);
     dying += other.dying;
     shortest.take(other.shortest);
     kicks.add(other.kicks);

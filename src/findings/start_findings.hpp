@@ -42,6 +42,8 @@ struct StartCounts {
     std::int64_t minority = 0;    // cells in which [start] ends on another attractor than most starts
     std::int64_t not_kept = 0;    // cells in which [start] ends on no stored attractor
     std::int64_t left_over = 0;   // cells with more attractors than are stored
+    std::int64_t failing = 0;     // cells in which starts fail
+    double most_failing = 0;      // the largest share of a cell's starts that do
     std::int64_t dying = 0;       // cells with chaos from which starts were seen to escape
     ShortestLife shortest;
     KickCounts kicks;      // also without [starts]

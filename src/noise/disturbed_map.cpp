@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <variant>
 
@@ -38,6 +39,9 @@ std::optional<motion::LinearMotion<double>> flight_of(const regime::CycleMap& ma
         return linear(rigid->oscillator());
     return std::nullopt;
 }
+
+// A softening spring throws the hammer out within a finite time.
+const State thrown_out = State::Constant(std::numeric_limits<double>::infinity());
 
 }  // namespace
 
@@ -90,6 +94,7 @@ Cycle DisturbedMap::part(Cart& cart, const State& state, int from, int to) const
 }
 
 bool DisturbedMap::carry(Cart& cart, State& state, int from, int to) const {
+    if (!state.allFinite()) return true;
     State scaled = state / cart.scale;
     for (int n = from; n < to;) {
         const auto end = cart.flight ? cart.flight->end_of(static_cast<std::size_t>(n), scaled) : std::nullopt;
@@ -101,6 +106,10 @@ bool DisturbedMap::carry(Cart& cart, State& state, int from, int to) const {
         // one that is at the stop may stay there for long
         const int until = cart.flight && scaled[0] < 0 ? n + 1 : to;
         const Cycle cycle = part(cart, scaled, n, until);
+        if (cycle.outcome == Cycle::Outcome::not_finite) {
+            state = thrown_out;
+            return true;
+        }
         if (cycle.outcome != Cycle::Outcome::done) return false;
         scaled = cycle.end;
         n = until;

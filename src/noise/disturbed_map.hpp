@@ -5,6 +5,8 @@
 // interval; between them the engine's own motion goes on (Strang's splitting, of second order in the interval
 // for means). An interval is at most pi/4 of the hammer's phase and 1/16 of a cycle.
 //
+// A hammer that a softening spring throws out is at infinity from then on.
+//
 // A cycle whose cart has the amplitude (1 + a) A0 and the frequency (1 + f) Omega is computed in lengths of
 // (1 + a) A0. Where two such cycles meet, at phase 0, the cart passes y = 0 with a new velocity, while the
 // hammer keeps its own. There a state is told for a cart that passes with its usual velocity.

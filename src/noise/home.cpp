@@ -174,6 +174,7 @@ bool Home::takes_back_from(DisturbedMap& map, double distance) const {
 
 double Home::distance(const State& state) const {
     double least = std::numeric_limits<double>::infinity();
+    if (!state.allFinite()) return least;
     for (const Point& point : points_) {
         const State off = state - point.state;
         least = std::min(least, off.dot(point.precision * off));
@@ -199,6 +200,7 @@ std::optional<bool> Home::takes_back(DisturbedMap& map, State state, std::vector
     const auto most = static_cast<std::size_t>(times * std::max(longest, times_to_relax * to_relax_));
     std::array<State, periods> last;
     for (std::size_t n = 0; n < most; ++n) {
+        if (!state.allFinite()) return false;
         if (distance(state) <= radius_ || is_at_a_point(state)) return true;
         const auto is_near = [&](const State& point) {
             return (state - point).norm() < attracted * (1 + point.norm());

@@ -48,6 +48,17 @@ std::string numbers(const StartCounts& counts) {
     return text + "\n";
 }
 
+// They are counted as no attractor.
+std::string failing(const StartCounts& counts) {
+    if (counts.failing == 0) return "";
+    return fmt::format(
+        "  besides, starts that leave physics or the range of numbers (failed): in {} of the cells, up to "
+        "{:.3g} "
+        "% of\n"
+        "  a cell's starts\n",
+        readable_share(counts.failing, counts.cells), 100 * counts.most_failing);
+}
+
 std::string commonest_pairs(const StartFindings& findings) {
     using Entry = std::pair<findings::AttractorPair, std::int64_t>;
     constexpr std::size_t shown = 5;
@@ -120,7 +131,7 @@ std::string starts_summary(const scene::Scene& scene, const StartFindings& findi
     const StartCounts& counts = findings.counts;
     if (job.starts.count == 0 || counts.cells == 0) return "";
     std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
-    text += numbers(counts) + commonest_pairs(findings);
+    text += numbers(counts) + failing(counts) + commonest_pairs(findings);
     text +=
         fmt::format("  motions with impacts and without{}: {} of the cells; none with impacts is known: {}\n",
                     of_kept(counts), readable_share(counts.mixed, counts.cells),

@@ -67,12 +67,12 @@ TEST(KickedOrbit, StaysOnTheOrbitWithoutAKick) {
     ASSERT_EQ(orbit.period(), 2);
     const auto second = orbit.after({0.37, 0});
     const auto first = orbit.after({1.62, 0});
-    ASSERT_TRUE(first && second);
-    EXPECT_NEAR((*first)[0], found.orbit_displacement - oscillator.gap, 1e-9);
-    EXPECT_NEAR((*first)[1], found.orbit_velocity, 1e-9);
-    EXPECT_GT((*first - *second).norm(), 0.1);
-    EXPECT_NEAR((*orbit.after({0.0, 0.25}))[1], found.orbit_velocity + 0.25, 1e-12);
-    EXPECT_NEAR((*orbit.after({2.0, -0.25}))[1], found.orbit_velocity - 0.25, 1e-9);
+    ASSERT_TRUE(first.done() && second.done());
+    EXPECT_NEAR(first.state[0], found.orbit_displacement - oscillator.gap, 1e-9);
+    EXPECT_NEAR(first.state[1], found.orbit_velocity, 1e-9);
+    EXPECT_GT((first.state - second.state).norm(), 0.1);
+    EXPECT_NEAR(orbit.after({0.0, 0.25}).state[1], found.orbit_velocity + 0.25, 1e-12);
+    EXPECT_NEAR(orbit.after({2.0, -0.25}).state[1], found.orbit_velocity - 0.25, 1e-9);
 }
 
 }  // namespace

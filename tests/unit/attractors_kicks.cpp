@@ -69,6 +69,7 @@ TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
             ASSERT_EQ(count, 64U);
             ended.back() = {.result = elsewhere()};
             ended[3].result.regime = Regime::failed;  // gives no information
+            ended[3].result.status = cell::Status::solver_failed;
         }
         broker.serve(std::move(ended));
     }
@@ -76,7 +77,7 @@ TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
     const std::vector<cell::Kick> kicks = task.result();
     ASSERT_EQ(kicks.size(), 4U);
     EXPECT_TRUE(std::isnan(kicks[1].size));
-    EXPECT_EQ(kicks[1].tried, 4);
+    EXPECT_LE(kicks[1].tried, 4.0 / 256);  // the unknown end
     EXPECT_LE(kicks[3].size, 4.0 / 256);
     EXPECT_GT(kicks[3].size, 0);
     EXPECT_EQ(kicks[3].tried, kicks[3].size);
@@ -95,7 +96,7 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     const CellResult& orbit = kicked.entries[1].result;
     KickedOrbit undisturbed(kicked.oscillator, *kicked.entries[1].orbit);
     const auto at_phase_0 = undisturbed.after({1.0, 0});
-    ASSERT_TRUE(at_phase_0.has_value());
+    ASSERT_TRUE(at_phase_0.done());
     const regime::AttractorTable known;
     std::vector<scene::State<double>> starts;
     const KickedCell cell{kicked.oscillator, 4, known, [&](const scene::State<double>& start) {
@@ -108,7 +109,7 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     while (!task.done()) {
         std::vector<SearchOutcome> ended;
         for (const auto& start : std::exchange(starts, {})) {
-            const bool leaves = start[1] < (*at_phase_0)[1] - 0.5;  // at the next phase 0
+            const bool leaves = start[1] < at_phase_0.state[1] - 0.5;  // at the next phase 0
             ended.push_back({.result = leaves ? elsewhere() : orbit});
         }
         broker.serve(std::move(ended));
@@ -116,11 +117,11 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     const cell::Kick smallest = task.result()[1];
     ASSERT_GT(smallest.size, 0);
     const auto start = undisturbed.after({smallest.phase, smallest.direction * smallest.size});
-    ASSERT_TRUE(start.has_value());
-    EXPECT_LT((*start)[1], (*at_phase_0)[1] - 0.5);
+    ASSERT_TRUE(start.done());
+    EXPECT_LT(start.state[1], at_phase_0.state[1] - 0.5);
     const auto smaller = undisturbed.after({smallest.phase, 0.998 * smallest.direction * smallest.size});
-    ASSERT_TRUE(smaller.has_value());
-    EXPECT_GT((*smaller)[1], (*at_phase_0)[1] - 0.5);
+    ASSERT_TRUE(smaller.done());
+    EXPECT_GT(smaller.state[1], at_phase_0.state[1] - 0.5);
     EXPECT_TRUE(std::isnan(smallest.lower));  // no neighbourhood is known
 }
 

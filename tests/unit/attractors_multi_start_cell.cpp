@@ -120,8 +120,8 @@ TEST(MultiStartCell, TheSmallestKickParts) {
     KickedOrbit orbit(cell.oscillator, {0, {}, solved.cell});
     const auto end_of = [&](double size) {
         const auto start = orbit.after({kick.phase, kick.direction * size});
-        EXPECT_TRUE(start.has_value());
-        return regime::find_steady_state(cell.oscillator, *start, {});
+        EXPECT_TRUE(start.done());
+        return regime::find_steady_state(cell.oscillator, start.state, {});
     };
     EXPECT_FALSE(regime::same_attractor(end_of(kick.size), solved.cell));
     EXPECT_TRUE(regime::same_attractor(end_of(kick.size * 0.99), solved.cell));

@@ -46,8 +46,8 @@ void expect_all_come_back(const Settled& settled, double size) {
         const double phase = orbit.period() * std::fmod(n * 0.7548776662466927, 1.0);
         const double change = size * (2 * std::fmod(n * 0.5698402909980532, 1.0) - 1);
         const auto start = orbit.after({phase, change});
-        ASSERT_TRUE(start.has_value());
-        const auto end = regime::find_steady_state(settled.oscillator, *start, {});
+        ASSERT_TRUE(start.done());
+        const auto end = regime::find_steady_state(settled.oscillator, start.state, {});
         EXPECT_TRUE(regime::same_attractor(settled.found.result, end)) << phase << ' ' << change;
     }
 }
@@ -79,9 +79,9 @@ bool land_in(const regime::Neighbourhood& place, const Settled& settled, double 
 // The same with another point of the orbit as the first.
 Settled from_next_point(Settled settled) {
     const auto next = KickedOrbit(settled.oscillator, settled.found).after({1, 0});
-    EXPECT_TRUE(next.has_value());
-    settled.found.result.orbit_displacement = (*next)[0] + settled.oscillator.gap;
-    settled.found.result.orbit_velocity = (*next)[1];
+    EXPECT_TRUE(next.done());
+    settled.found.result.orbit_displacement = next.state[0] + settled.oscillator.gap;
+    settled.found.result.orbit_velocity = next.state[1];
     return settled;
 }
 

@@ -98,6 +98,23 @@ TEST(StartFindings, UnresolvedMotionsAreNeitherWithImpactsNorWithout) {
     EXPECT_EQ(findings.pairs.size(), 1U);
 }
 
+TEST(StartFindings, FailedStartsAreCountedByTheirShare) {
+    Row row;
+    row.add(0, {striking, {.regime = Regime::failed, .share = 0.25}});
+    row.add(0, {{.regime = Regime::failed, .share = 0.5}, striking});
+    row.add(0, {striking});
+    StartFindings findings;
+    row.add_to(findings);
+    EXPECT_EQ(findings.counts.failing, 2);
+    EXPECT_EQ(findings.counts.most_failing, 0.5);
+    EXPECT_EQ(findings.counts.by_number[1], 3);
+    StartCounts sum;
+    sum.add(findings.counts);
+    sum.add(findings.counts);
+    EXPECT_EQ(sum.failing, 4);
+    EXPECT_EQ(sum.most_failing, 0.5);
+}
+
 TEST(StartFindings, PairsAreOfTheLargestSharesThatAreResolved) {
     const StoredAttractor unresolved{.regime = Regime::unresolved, .share = 0.5};
     Row row;

@@ -69,6 +69,17 @@ TEST(StartsSummary, TellsTheShortestMeanLifeOfChaos) {
         << text;
 }
 
+TEST(StartsSummary, TellsHowManyStartsFail) {
+    findings::StartCounts counts;
+    counts.cells = 200;
+    EXPECT_EQ(text_of(counts).find("fail"), std::string::npos) << text_of(counts);
+    counts.failing = 3;
+    counts.most_failing = 0.4;
+    EXPECT_NE(text_of(counts).find("(failed): in 1.5 % of the cells, up to 40 % of\n  a cell's starts\n"),
+              std::string::npos)
+        << text_of(counts);
+}
+
 TEST(StartsSummary, IsEmptyWithoutStartsOrCells) {
     EXPECT_EQ(text_of({}), "");
     findings::StartCounts counts;
