@@ -278,7 +278,8 @@ std::optional<Zero> zero_of_test(const Rigs& rigs, Family family, double lambda,
 // singular vectors of the derivatives. Sizes: of the unknowns.
 Fold fold_of(const Springs<double>& springs, const EventChain& chain, const Eigen::VectorXd& sizes) {
     const Eigen::MatrixXd scaled = equations_in_doubles(springs, chain).derivatives * sizes.asDiagonal();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(
+        scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::Index last = scaled.cols() - 1;
     Eigen::Index unknown = 0;
     Eigen::Index equation = 0;

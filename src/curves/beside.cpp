@@ -35,9 +35,10 @@ Stepper along(const Rig& rig, const PlanePoint& window, const PlanePoint& throug
 // switching: Keller 1977).
 Eigen::VectorXd parting_of_halves(const Stepper& stepper, const OrbitPoint& doubled) {
     const Eigen::VectorXd sizes = sizes_of_unknowns(stepper.rig(), doubled, stepper.window());
-    const Eigen::MatrixXd scaled =
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(sizes.size(), sizes.size());  // there is an equation less
+    square.topRows(sizes.size() - 1) =
         equations(stepper.rig(), doubled, stepper.conditions()).jacobian * sizes.asDiagonal();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> parts(scaled, Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> parts(square, Eigen::ComputeFullV);
     const Eigen::Index half = (sizes.size() - 2) / 2;
     Eigen::VectorXd parting = Eigen::VectorXd::Zero(sizes.size());
     for (const Eigen::Index last : {1, 2}) {

@@ -4,7 +4,6 @@
 // side (30), for endurance/certificates.py, which reads the counts that are recorded.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdlib>
@@ -20,6 +19,7 @@
 #include "certificate/stability.hpp"
 #include "certified_cells.hpp"
 #include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/multiplier.hpp"
 
 namespace peterka::certificate {
 namespace {
@@ -70,7 +70,7 @@ ByEngine by_map(const CycleMap& map, const scene::State<double>& start, std::int
         x = result.end;
     }
     seen.moved = (x - start).norm();
-    seen.multiplier = product.eigenvalues().cwiseAbs().maxCoeff();
+    seen.multiplier = std::abs(trajectory::largest_multiplier(product.trace() / 2, product.determinant()));
     return seen;
 }
 
