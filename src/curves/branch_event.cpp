@@ -235,6 +235,7 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
     const double reversed = here.point.orbit.length_of_leg(pair, duration_at(stepper, here.point));
     if (!(length > 0)) return false;
     const OrbitPoint guess = without_pair(between(from.point, here.point, length / (length - reversed)), pair);
+    if (guess.orbit.events.empty()) return false;  // the stop holds the hammer from then on
     const auto settled = solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     if (!settled) return false;
     here = ahead_from(stepper, *settled, Stepper::along(from.tangent));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <ranges>
+#include <vector>
 
 #include "curves/reshape.hpp"
 
@@ -45,6 +48,26 @@ OrbitPoint mean_of_halves(const Rig& rig, const OrbitPoint& point) {
 // How far the second half is from the first, and the first from the second.
 Eigen::VectorXd difference_of_halves(const Stepper& stepper, const OrbitPoint& point) {
     return way_between(stepper.rig(), point, half_a_period_later(stepper.rig(), point), stepper.window());
+}
+
+// Where the halves are equal, from points on both sides. Exchanged, they solve the same equations: the mean and
+// the place change as the square of their difference. Of the nearest points, where the equations are singular,
+// rounding errors are larger than what is left of the way.
+OrbitPoint where_halves_meet(const Stepper& stepper, std::vector<OrbitPoint> beside) {
+    constexpr double nearest = 0.01;
+    constexpr double apart = 1.5;  // or errors are magnified
+    const auto size_of = [&](const OrbitPoint& point) { return difference_of_halves(stepper, point).norm(); };
+    std::ranges::sort(beside, std::ranges::greater{}, size_of);
+    const auto too_near = std::ranges::find_if(
+        beside.begin() + 1, beside.end(), [&](const OrbitPoint& point) { return size_of(point) < nearest; });
+    beside.erase(too_near, beside.end());
+    const OrbitPoint last = mean_of_halves(stepper.rig(), beside.back());
+    for (const OrbitPoint& other : std::views::reverse(beside)) {
+        const double ratio = size_of(other) / size_of(beside.back());
+        if (!(ratio > apart)) continue;
+        return between(mean_of_halves(stepper.rig(), other), last, ratio * ratio / (ratio * ratio - 1));
+    }
+    return last;
 }
 
 constexpr double equal_halves = 1e-6;  // norm of a difference, in scaled unknowns
@@ -93,13 +116,16 @@ std::optional<OrbitPoint> merging_fold(const Stepper& stepper, const OrbitPoint&
     const Eigen::VectorXd apart = difference_of_halves(stepper, from);
     OrbitPoint low = from;
     OrbitPoint high = to;
+    std::vector<OrbitPoint> beside{from};
+    if (!halves_are_equal(stepper, to)) beside.push_back(to);
     for (int halving = 0; halving < most_halvings; ++halving) {
         const auto middle =
             solve(stepper.rig(), between(low, high, 0.5), stepper.window(), stepper.conditions());
         if (!middle || !has_same_events(middle->orbit, from.orbit) || halves_are_equal(stepper, *middle)) break;
         (difference_of_halves(stepper, *middle).dot(apart) > 0 ? low : high) = *middle;
+        beside.push_back(*middle);
     }
-    const auto found = solve(stepper.rig(), mean_of_halves(stepper.rig(), low), stepper.window(),
+    const auto found = solve(stepper.rig(), where_halves_meet(stepper, beside), stepper.window(),
                              {Condition::at_multiplier(-1)});
     if (!found) return std::nullopt;
     const OrbitPoint twice_over = twice(stepper.rig(), *found);

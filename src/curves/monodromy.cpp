@@ -20,6 +20,12 @@ struct Factor {
     Jacobian<double> through;  // product up to the end of the leg
 };
 
+// The scale of an impact's speed: itself, but where it grazes.
+double speed_of(const Event& event, double fastest) {
+    constexpr double grazes = 1e-6;
+    return std::max(std::abs(event.velocity), grazes * fastest);
+}
+
 // All factors of M, scaled as described at bifurcation(), and their product.
 struct Product {
     std::vector<Factor> factors;
@@ -27,14 +33,14 @@ struct Product {
     double determinant = 1;  // of the unscaled M
 };
 
-Product product_of(const PlacedRig& rig, const Orbit& orbit, Side side, double speed) {
+Product product_of(const PlacedRig& rig, const Orbit& orbit, Side side, double fastest) {
     const double duration = rig.duration_of(orbit.period);
     Product product;
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
         const Event& event = orbit.events[i];
         const double length = orbit.length_of_leg(i, duration);
         Factor factor{product.matrix,
-                      rig.saltation(event, side == Side::with_impact, speed),
+                      rig.saltation(event, side == Side::with_impact, speed_of(event, fastest)),
                       rig.flow(event.presses, length),
                       {}};
         product.matrix = (factor.flow * factor.change.value * factor.before).eval();
@@ -50,11 +56,12 @@ bool strikes(const PlacedRig& rig, const Event& event) {
     return rig.is_rigid() && event.kind == EventKind::touch;
 }
 
-// The product of all impact speeds on a rigid stop, each over `speed`, except that of event `left_out`.
-double speeds_without(const PlacedRig& rig, const Orbit& orbit, double speed, std::size_t left_out) {
+// The product of all impact speeds on a rigid stop, each over its scale, except that of event `left_out`.
+double speeds_without(const PlacedRig& rig, const Orbit& orbit, double fastest, std::size_t left_out) {
     double product = 1;
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
-        if (strikes(rig, orbit.events[i]) && i != left_out) product *= orbit.events[i].velocity / speed;
+        const Event& event = orbit.events[i];
+        if (strikes(rig, event) && i != left_out) product *= event.velocity / speed_of(event, fastest);
     }
     return product;
 }
@@ -88,9 +95,9 @@ Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const PlanePoint& place
 Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side side) {
     const std::size_t count = orbit.events.size();
     const Unknowns unknowns(orbit);
-    const double speed = std::max(orbit.largest_speed(), rig.frequency());
-    const auto [factors, matrix, determinant] = product_of(rig, orbit, side, speed);
-    const double speeds = speeds_without(rig, orbit, speed, count);
+    const double fastest = std::max(orbit.largest_speed(), rig.frequency());
+    const auto [factors, matrix, determinant] = product_of(rig, orbit, side, fastest);
+    const double speeds = speeds_without(rig, orbit, fastest, count);
     Bifurcation result{speeds * (1 + determinant) - sign * matrix.trace(),
                        Eigen::VectorXd::Zero(unknowns.size())};
     const auto add_by_place = [&](double by_frequency, double by_gap) {
@@ -100,7 +107,7 @@ Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side
     // derivative of the last leg's length by the frequency
     const double last_longer = -rig.duration_of(orbit.period) / rig.frequency();
     Jacobian<double> after = Jacobian<double>::Identity();
-    double size = 1;
+    double size = speeds * (1 + determinant);
     for (std::size_t i = count; i-- > 0;) {
         const Event& event = orbit.events[i];
         const Factor& factor = factors[i];
@@ -121,7 +128,7 @@ Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side
             result.gradient[unknowns.time(i)] += trace_of(factor.change.by_time);
             result.gradient[unknowns.velocity(i)] +=
                 trace_of(factor.change.by_velocity) +
-                speeds_without(rig, orbit, speed, i) / speed * (1 + determinant);
+                speeds_without(rig, orbit, fastest, i) / speed_of(event, fastest) * (1 + determinant);
             add_by_place(trace_of(factor.change.by_frequency), trace_of(factor.change.by_gap));
         }
         after = (after * factor.change.value).eval();

@@ -25,10 +25,10 @@ struct Monodromy {
 [[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const PlanePoint& place, Side side);
 
 // A test function, 0 where a multiplier equals sign, and its gradient by the unknowns (unknowns.hpp). It is
-// det(M - sign I), times v over the largest speed or the cart's for each impact speed v on a rigid stop, since
-// M grows as 1/v at a grazing (Nordmark 1991), and divided by the size of M's factors. These reach 1e4 in
-// sequences of weak impacts and cancel in M, so that their rounding errors reach det(M - sign I) amplified by
-// as much.
+// det(M - sign I), times v / max(v, v_graze) for each impact speed v on a rigid stop, since M grows as 1/v at a
+// grazing (Nordmark 1991), and divided by the size of M's factors. These reach 1e4 in sequences of weak impacts
+// and cancel in M, so that their rounding errors reach det(M - sign I) amplified by as much. max(v, v_graze)
+// and the size count as constants in the gradient.
 struct Bifurcation {
     double value = 0;
     Eigen::VectorXd gradient;

@@ -150,7 +150,7 @@ Columns columns_of_points(const CurveSearchResult& found, const Rig& rig, const 
     Columns of_points("/", "point", std::ssize(points));
     of_points.add_counter("number of the point");
     add_places(of_points, "point_", axes, rig, points);
-    of_points.add({"point_multiplier", Number::float64, nan, "1", "Floquet multiplier largest in size, with the sign of its real part; of a grazing, of the orbit without the impact"}, numbers_of(points, [](const CurvePoint& p) { return p.multiplier; }));
+    of_points.add({"point_multiplier", Number::float64, nan, "1", "Floquet multiplier largest in size, with the sign of its real part; of a grazing, of the orbit without the impact; NaN where a curve ends at an impact without speed on a rigid stop"}, numbers_of(points, [](const CurvePoint& p) { return p.multiplier; }));
     of_points.add({"point_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(points, [&](const CurvePoint& p) { return rig.force_ratio(p.place) * p.peak_force; }));
     of_points.add({"point_residual", Number::float64, nan, "1", "largest error of the defining equations, relative to the hammer's velocity"}, numbers_of(points, [](const CurvePoint& p) { return p.residual; }));
     of_points.add({"point_orbit_displacement", Number::float64, nan, "1", "the orbit at forcing phase 0 of its first cycle, where the cart is at 0: x/A0"}, numbers_of(points, [&](const CurvePoint& p) { return p.at_phase_0[0] + rig.at(p.place).gap(); }));

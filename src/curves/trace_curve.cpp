@@ -129,6 +129,7 @@ class HalfCurve {
         const bool breaks = fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow;
         if (breaks && has_same_events(here.point.orbit, there.point.orbit)) {
             const auto last = other_grazing(here.point, there.point, fault);
+            if (last && meets_another(*last, fault)) return Step::unclear;
             if (last && window_.holds(last->place)) {
                 add_special(kind_ == CurveKind::fold
                                 ? SpecialKind::fold_grazing
@@ -183,6 +184,18 @@ class HalfCurve {
         const double after = there.orbit.events[fault.event].velocity;
         const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);
         return solve_with(between(here, there, share), Condition::at_rest(fault.event));
+    }
+
+    // Whether the orbit of another grazing meets the stop once more, or has lost another impact: of two events
+    // in a step, the one that is solved for may come second.
+    [[nodiscard]] bool meets_another(OrbitPoint grazing, const OrbitFault& fault) const {
+        constexpr double least = 1e-12;
+        if (fault.kind == OrbitFault::Kind::slow) {  // its own impact, at rest
+            Event& slow = grazing.orbit.events[fault.event];
+            slow.velocity = slow.kind == EventKind::touch ? least : -least;
+        }
+        const OrbitFault::Kind other = find_fault(rig_, grazing).kind;
+        return other == OrbitFault::Kind::pierces || other == OrbitFault::Kind::slow;
     }
 
     void add_special(SpecialKind kind, const OrbitPoint& point) {
@@ -241,13 +254,26 @@ class HalfCurve {
 
 }  // namespace
 
+namespace {
+
+// NaN where a curve ends at an impact without speed on a rigid stop: there M is infinite, and close by lost in
+// rounding, while what defines the curve is not.
+double told_multiplier(double multiplier, CurveKind kind) {
+    constexpr double rounding = 1e-6;
+    if (kind == CurveKind::grazing) return multiplier;
+    const double sign = kind == CurveKind::fold ? 1 : -1;
+    return std::abs(multiplier - sign) < rounding ? multiplier : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
 CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind) {
     const Monodromy product = monodromy(rig, point.orbit, point.place, Side::without_impact);
     CurvePoint result;
     result.impacts = point.orbit.impacts();
     result.place = point.place;
     result.orbit = point.orbit;
-    result.multiplier = product.multiplier();
+    result.multiplier = told_multiplier(product.multiplier(), kind);
     result.peak_force = peak_force(rig, point);
     result.residual = residual(point, equations(rig, point, conditions_of(kind)));
     result.at_phase_0 = stroboscopic_states(rig, point).front().state;

@@ -35,7 +35,8 @@ class JumpSearch {
         const double change = change_after(column);
         if (!(change > least_change_)) return false;
         if (!lasts(column, -1) && !lasts(column + 1, 1) && !stands_out(column)) return false;
-        return change > 2 * std::max(slope_after(column - 1), slope_after(column + 1));
+        const double steepest = std::max(slope_after(column - 1), slope_after(column + 1));
+        return change > (may_be_smooth(column) ? 2 : 1) * steepest;
     }
 
   private:
@@ -66,6 +67,18 @@ class JumpSearch {
             if (!same_label(cell(column), cell(column + i * step))) return false;
         }
         return true;
+    }
+
+    // Whether one bifurcation through which the blows change gradually may lead from a motion to the next: a
+    // grazing, at which impacts alone are gained or lost, or a period doubling.
+    [[nodiscard]] bool may_be_smooth(std::int64_t column) const {
+        const CellResult& from = cell(column);
+        const CellResult& to = cell(column + 1);
+        const auto doubles = [](const CellResult& a, const CellResult& b) {
+            return 2 * a.period == b.period && 2 * a.impacts == b.impacts;
+        };
+        return !has_period(from.regime) || !has_period(to.regime) || from.period == to.period ||
+               doubles(from, to) || doubles(to, from);
     }
 
     // Whether a motion with a period begins or ends, and the change is more than twice each of the four before

@@ -36,7 +36,9 @@ struct BranchPoint {
 
 // Marks where the peak force or, on a rigid stop, which has none, the largest impact speed jumps from one point
 // to the next in the branch's direction: the change exceeds a twentieth of the branch's largest; it exceeds
-// twice the change in the steps before and after between motions with a period, as a steep slope is no jump;
+// twice the change in the steps before and after between motions with a period, as a steep slope is no jump, or
+// once where no period doubling or grazing leads from one of the two periods to the other: the way into a fold
+// is steep itself;
 // and, since forces scatter between windows in chaos, a motion with a period begins or ends there that persists
 // for four points or up to the end of the branch, or one begins or ends where the change exceeds twice each of
 // the four before and after it.

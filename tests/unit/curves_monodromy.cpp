@@ -169,5 +169,30 @@ TEST(Monodromy, ABifurcationIsOfOrderOneHoweverStrongTheImpacts) {
     }
 }
 
+// Each of many bounces is slower than the one before. With each over the largest speed, the value would be the
+// product of all these ratios, and anything would count as a period doubling.
+TEST(Monodromy, ABifurcationIsOfOrderOneHoweverWeakTheImpacts) {
+    for (const int bounces : {1, 6, 12}) {
+        const auto oscillator = rig_with_stop(scene::Restitution<double>{0.54}, 0.08);
+        const Rig rigs(oscillator);
+        const PlanePoint place{0.45, 0.1};
+        Orbit orbit{1, {}};
+        double time = 4;
+        double speed = 1;
+        for (int n = 0; n < bounces; ++n) {
+            orbit.events.push_back({EventKind::touch, false, time, speed});
+            time += 2 * 0.54 * speed;
+            speed *= 0.54;
+        }
+        for (const int sign : {1, -1}) {
+            const double value = bifurcation(rigs.at(place), orbit, sign, Side::without_impact).value;
+            EXPECT_LT(std::abs(value), 4);
+            EXPECT_GT(std::abs(value), 0.01) << bounces;
+            const double whole = monodromy(rigs, orbit, place, Side::without_impact).bifurcation(sign);
+            EXPECT_EQ(value > 0, whole > 0);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace peterka::curves

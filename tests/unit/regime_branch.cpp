@@ -256,6 +256,23 @@ TEST(Jumps, AreNoSteepSlopes) {
     EXPECT_EQ(jumps_of({0, 4, 8, 12, 16, 20}, Regime::periodic), std::vector<std::size_t>());
 }
 
+// The way into a fold is steep itself. Of 3/2, to which no 1/1 changes gradually; a doubled period may do so.
+TEST(Jumps, AreToldAfterASteepWayToAnotherPeriod) {
+    const auto marked = [](int impacts, int period, double before) {
+        auto points = with_forces({27, 26, 25, before, 19.4, 15, 15, 15, 15}, Regime::periodic);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i].cell.impacts = i < 5 ? impacts : 1;
+            points[i].cell.period = i < 5 ? period : 1;
+        }
+        mark_jumps(points, Direction::up);
+        return jumps(points);
+    };
+    EXPECT_EQ(marked(3, 2, 22), std::vector<std::size_t>{5});
+    EXPECT_EQ(marked(3, 2, 23.9), std::vector<std::size_t>());  // no less steep before
+    EXPECT_EQ(marked(2, 2, 22), std::vector<std::size_t>());
+    EXPECT_EQ(marked(2, 1, 22), std::vector<std::size_t>());
+}
+
 TEST(Jumps, AreNoneAmongMotionsWithoutAPeriodNorNextToAFailure) {
     EXPECT_EQ(jumps_of({100, 30, 80}, Regime::chaotic), std::vector<std::size_t>());
     EXPECT_EQ(jumps_of({100, unknown, 80}, Regime::periodic), std::vector<std::size_t>());
