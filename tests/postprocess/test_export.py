@@ -10,6 +10,7 @@ from picture_samples import ALL_CLASSES, write_basin, write_map
 from scipy.io import loadmat
 from sealing import SealedFile
 from starts_samples import add_starts
+from trace_samples import write_trace
 from sweep_samples import FREQUENCY, GAPS, POINTS, WEIGHT, force_of, write_sweep
 
 NEWTONS, HERTZ, MILLIMETRES = 0.298 * 9.80665, 4.5, 0.89
@@ -171,6 +172,42 @@ def test_what_is_no_number_of_each_cell_is_told(tmp_path, run_program, draw):
     assert (code, err) == (0, "") and out.startswith("a.csv\n") and out.count("\n") == 2
     assert "not one number of each cell, and so left out: attractor" in out and "basin_share" in out and "start_attractor" not in out
     assert "and so left out: attractor" in draw(path, "--export", "csv", "--only", "map", "--formats", "png").stdout
+
+
+def columns_of(path):
+    """{name: numbers} of a CSV."""
+    with open(path, newline="", encoding="utf-8") as text:
+        lines = list(csv.reader(text))
+    return dict(zip(lines[0], np.array([[float(cell) if cell else np.nan for cell in line] for line in lines[1:]]).T))
+
+
+def test_a_trace_is_exported_as_its_tables_in_units(tmp_path, run_program, draw):
+    path = write_trace(tmp_path / "t.h5")
+    code, out, err = run_program("export", path)
+    assert (code, err) == (0, "") and out.split() == ["t.csv", "t_impacts.csv", "t_impact.csv", "t_spectrum.csv", "t_impact_spectrum.csv"]
+    with h5py.File(path) as file:
+        expected = {"": ("time", "time_s", 1), "_impacts": ("impacts/peak_force_ratio", "peak_force_n", NEWTONS),
+                    "_impact": ("impact/hammer_displacement_ratio", "hammer_displacement_mm", MILLIMETRES),
+                    "_spectrum": ("spectrum/force_amplitude", "force_amplitude_n", 1),
+                    "_impact_spectrum": ("impact_spectrum/force_spectrum", "force_spectrum_n_s", 1)}
+        for part, (stored, column, factor) in expected.items():
+            numbers = columns_of(tmp_path / f"t{part}.csv")
+            assert np.allclose(numbers[column], file[stored][()] * factor, rtol=1e-14, atol=0, equal_nan=True)
+            assert all(len(each) == len(numbers[column]) for each in numbers.values())
+        motion = columns_of(tmp_path / "t.csv")
+        assert np.array_equal(motion["force_n"], file["force_ratio"][()] * NEWTONS) and motion["force_n"].max() > 0
+        assert list(motion)[:3] == ["time_s", "cycle", "hammer_displacement_mm"] and "relative_velocity_m_s" in motion
+    assert run_program("export", path, "--as", "mat")[0] == 2
+    assert "t.csv" in draw(path, "--export", "csv", "--only", "motion", "--formats", "png").pictures
+
+
+def test_a_trace_without_a_rig_is_exported_in_its_ratios(tmp_path, run_program):
+    path = write_trace(tmp_path / "t.h5")
+    with SealedFile(path, "r+") as file:
+        for name in ("hammer_mass_kg", "cart_amplitude_m"):
+            del file.attrs[name]
+    assert run_program("export", path)[0] == 0
+    assert {"force_ratio", "cart_displacement_ratio", "cart_velocity_m_s"} < set(columns_of(tmp_path / "t.csv"))
 
 
 def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):

@@ -1,9 +1,10 @@
-"""Writes the cells of maps and basins, and the points of sweeps, for other programs, with force in N and axes in Hz, mm and m/s.
+"""Writes the cells of maps and basins, the points of sweeps and traces for other programs, with force in N and axes in Hz, mm and m/s.
 
     export.py FILE.h5 [FILE.h5 ...] [--as csv,vtk,mat] [--output-dir DIR]
 
 csv: STEM.csv, a line for each cell, an empty cell where there is no number; of a sweep, csv alone, a line for each point of each branch
-(branch from 0, direction, gap, frequency, ...). vtk: STEM.vtk, a rectilinear grid for ParaView.
+(branch from 0, direction, gap, frequency, ...); of a trace, csv alone, too: STEM.csv, a line for each sample of its motion, and STEM_impacts,
+STEM_impact, STEM_spectrum and STEM_impact_spectrum as far as it has them. vtk: STEM.vtk, a rectilinear grid for ParaView.
 mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names (_n: N, _n_s: N s, _w: W, _n_per_mm: N per mm, _ratio:
 over the hammer's weight, A0, A0*omega or omega); others have the file's unit, or are pure numbers, as elasticities (_by_: % per %). What isn't one number of each
 cell is left out, and told. Codes (regime, status, engine, ...) are words in CSV, else numbers as in the file (-128: not computed yet).

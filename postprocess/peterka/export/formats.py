@@ -1,4 +1,5 @@
-"""Cells of a map or a basin, and the points of a sweep as CSV, written as CSV, VTK (legacy, binary, a rectilinear grid) or a MATLAB file (version 5)."""
+"""Cells of a map or a basin written as CSV, VTK (legacy, binary, a rectilinear grid) or a MATLAB file (version 5), and the points of a sweep
+and the tables of a trace as CSV."""
 
 import argparse
 import csv
@@ -15,7 +16,9 @@ from ..files.regimes import NOT_COMPUTED
 from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
 from ..sweeps.sweep_file import SweepFile
+from ..traces.trace_file import TraceFile
 from .cells import Field, Side, bands, fields_of, left_out, sides_of
+from .traces import TraceTable, tables_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 MOST_NAMED = 12
@@ -54,6 +57,14 @@ def write_csv_of_sweep(file: SweepFile, path: Path) -> None:
             texts = [_texts(field, field.values(cells, branch.row), done) for field in fields]
             for point, values in enumerate(zip(*texts)):
                 table.writerow([*own, *(_number(numbers[point]) for numbers in _once(points)), *values])
+
+
+def write_csv_of_trace(table: TraceTable, path: Path) -> None:
+    """One line per sample, impact or frequency. Numbers round-trip exactly."""
+    with written_whole(path, "w", newline="", encoding="utf-8") as out:
+        lines = csv.writer(out)
+        lines.writerow(table.columns)
+        lines.writerows(map(_number, numbers) for numbers in zip(*(values.tolist() for values in table.columns.values())))
 
 
 def write_vtk(file: PeterkaFile, path: Path) -> None:
@@ -101,20 +112,28 @@ def read_formats(text: str) -> list[str]:
 
 
 def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[Path]:
-    """Writes an open map, basin or coarse map of curves in each format, and a sweep as CSV, into a folder, creating it if missing; yields
-    the paths written."""
+    """Writes an open map, basin or coarse map of curves in each format, and a sweep or a trace as CSV, into a folder, creating it if
+    missing; yields the paths written."""
     formats = list(formats)
-    if isinstance(file, SweepFile):
+    if isinstance(file, (SweepFile, TraceFile)):
+        what = "sweep, whose points" if isinstance(file, SweepFile) else "trace, whose samples"
         if formats != ["csv"]:
-            raise file.refusal(f"is a sweep, whose points are exported as csv alone; {', '.join(name for name in formats if name != 'csv')} "
+            raise file.refusal(f"is a {what} are exported as csv alone; {', '.join(name for name in formats if name != 'csv')} "
                                "takes the cells of maps, basins and curves: use --as csv")
         folder.mkdir(parents=True, exist_ok=True)
+    if isinstance(file, TraceFile):
+        for table in tables_of(file):
+            path = folder / f"{file.path.stem}{table.part and '_'}{table.part}.csv"
+            write_csv_of_trace(table, path)
+            yield path
+        return
+    if isinstance(file, SweepFile):
         path = folder / f"{file.path.stem}.csv"
         write_csv_of_sweep(file, path)
         yield path
         return
     if not isinstance(file, PeterkaFile):
-        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves and the points of sweeps are exported, others are read by xarray")
+        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves, the points of sweeps and traces are exported, others are read by xarray")
     folder.mkdir(parents=True, exist_ok=True)
     for name in formats:
         path = folder / f"{file.path.stem}.{name}"
