@@ -1,9 +1,9 @@
 #include "curves/merging.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <ranges>
 #include <vector>
 
 #include "curves/reshape.hpp"
@@ -61,13 +61,13 @@ OrbitPoint where_halves_meet(const Stepper& stepper, std::vector<OrbitPoint> bes
     const auto too_near = std::ranges::find_if(
         beside.begin() + 1, beside.end(), [&](const OrbitPoint& point) { return size_of(point) < nearest; });
     beside.erase(too_near, beside.end());
-    const OrbitPoint last = mean_of_halves(stepper.rig(), beside.back());
-    for (const OrbitPoint& other : std::views::reverse(beside)) {
-        const double ratio = size_of(other) / size_of(beside.back());
-        if (!(ratio > apart)) continue;
-        return between(mean_of_halves(stepper.rig(), other), last, ratio * ratio / (ratio * ratio - 1));
-    }
-    return last;
+    const double size = size_of(beside.back());
+    const auto other = std::ranges::find_if(
+        beside.rbegin(), beside.rend(), [&](const OrbitPoint& point) { return size_of(point) > apart * size; });
+    if (other == beside.rend()) return mean_of_halves(stepper.rig(), beside.back());
+    const double ratio = std::pow(size_of(*other) / size, 2);
+    return between(mean_of_halves(stepper.rig(), *other), mean_of_halves(stepper.rig(), beside.back()),
+                   ratio / (ratio - 1));
 }
 
 constexpr double equal_halves = 1e-6;  // norm of a difference, in scaled unknowns

@@ -36,10 +36,14 @@ class JumpSearch {
         if (!(change > least_change_)) return false;
         if (!lasts(column, -1) && !lasts(column + 1, 1) && !stands_out(column)) return false;
         const double steepest = std::max(slope_after(column - 1), slope_after(column + 1));
-        return change > (may_be_smooth(column) ? 2 : 1) * steepest;
+        return change > (may_be_smooth(column) ? beyond_an_onset : 1) * steepest;
     }
 
   private:
+    // From a step whose first point lies just beyond an onset, a blow that changes as the square root of the
+    // distance changes by up to 1 + sqrt(2) times as much as in the next step.
+    static constexpr double beyond_an_onset = 2.5;
+
     static double blow(const CellResult& cell) {
         return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
     }

@@ -292,11 +292,14 @@ def test_codes_are_words_in_a_table_and_numbers_in_other_formats(tmp_path, run_p
             file[name] = np.where(np.arange(24).reshape(4, 6) == 23, -128, numbers).astype("i1")
             file[name].attrs["flag_values"], file[name].attrs["flag_meanings"] = np.array([0, 1], dtype="i1"), meanings
         file["cycles"] = np.full((4, 6), 75, dtype="i4")
+        file["computed"] = np.where(np.arange(24).reshape(4, 6) == 2, 0, 1).astype("i1")
+        file["computed"].attrs["flag_values"], file["computed"].attrs["flag_meanings"] = np.array([0, 1], dtype="i1"), "filled computed"
     assert run_program("export", path, "--as", "csv,vtk")[0] == 0
     with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text:
         lines = list(csv.DictReader(text))
     assert [(line["status"], line["edge_kind_gap_m"], line["engine"]) for line in lines[:2]] == [
         ("verified", "fold", "exact"), ("rounding", "grazing", "cvode")]
     assert lines[23]["status"] == ""
+    assert (lines[2]["computed"], lines[2]["status"]) == ("filled", "") and lines[4]["status"] == "verified"  # nothing is verified there
     assert {(line["regime"] == "not_computed", line["cycles"]) for line in lines} == {(False, "75"), (True, "")}
     assert (read_vtk(tmp_path / "a.vtk")["status"].ravel()[:23] == numbers.ravel()[:23]).all()

@@ -273,6 +273,19 @@ TEST(Jumps, AreToldAfterASteepWayToAnotherPeriod) {
     EXPECT_EQ(marked(2, 1, 22), std::vector<std::size_t>());
 }
 
+// A period doubling just after a point: the blow grows as the square root of the distance.
+TEST(Jumps, AreNoneAtAnOnsetWithASquareRoot) {
+    std::vector<double> forces(5, 1.0);
+    for (int n = 0; n < 5; ++n) forces.push_back(1 + std::sqrt(n + 0.97));
+    auto points = with_forces(forces, Regime::periodic);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].cell.impacts = i < 5 ? 1 : 2;
+        points[i].cell.period = i < 5 ? 2 : 4;
+    }
+    mark_jumps(points, Direction::up);
+    EXPECT_EQ(jumps(points), std::vector<std::size_t>());
+}
+
 TEST(Jumps, AreNoneAmongMotionsWithoutAPeriodNorNextToAFailure) {
     EXPECT_EQ(jumps_of({100, 30, 80}, Regime::chaotic), std::vector<std::size_t>());
     EXPECT_EQ(jumps_of({100, unknown, 80}, Regime::periodic), std::vector<std::size_t>());
