@@ -122,8 +122,7 @@ void KickScan::choose_stage(double before) {
 }
 
 double KickScan::tried() const {
-    const double all = smallest_ ? smallest_->size() : largest_of_level(level_ - 1);
-    return unknown_ ? std::min(unknown_->size(), all) : all;
+    return smallest_ ? smallest_->size() : largest_of_level(level_ - 1);
 }
 
 double KickScan::largest_of_level(int level) const {

@@ -14,6 +14,7 @@
 // would stay as long.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -43,8 +44,10 @@ class KickScan {
     [[nodiscard]] bool found() const { return smallest_.has_value(); }
     // The smallest kick that ends elsewhere, if found().
     [[nodiscard]] const KickTried& smallest() const { return *smallest_; }
-    // The size up to which kicks were tried at all phases, and the end of each is known.
+    // The size up to which kicks were tried at all phases.
     [[nodiscard]] double tried() const;
+    // The same, and the end of each is known: where none is found().
+    [[nodiscard]] double known() const { return unknown_ ? std::min(unknown_->size(), tried()) : tried(); }
 
   private:
     enum class Stage { growing, rounds, border, done };

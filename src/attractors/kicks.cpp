@@ -57,8 +57,8 @@ Task<cell::Kick> smallest_kick(SearchBroker& broker, const KickedCell& cell, con
     for (auto kicks = scan.next({}); !kicks.empty();) {
         kicks = scan.next(co_await outcomes_of(broker, cell, attractor.result, orbit, std::move(kicks)));
     }
-    kick.tried = scan.tried();
-    const auto safe = largest_safe_kick(orbit, cell.known, cell.oscillator, *attractor.orbit, kick.tried);
+    kick.tried = scan.found() ? scan.tried() : scan.known();
+    const auto safe = largest_safe_kick(orbit, cell.known, cell.oscillator, *attractor.orbit, scan.tried());
     if (safe) kick.lower = *safe;
     if (!scan.found()) co_return kick;
     kick.size = scan.smallest().size();

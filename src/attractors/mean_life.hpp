@@ -18,7 +18,10 @@ class MeanLife {
     // Adds a start; the order does not matter.
     void take(const regime::CellResult& result) {
         if (result.forgot_after == 0) return;
-        const bool escaped = cell::has_period(result.regime);
+        // a softening spring may throw the hammer out
+        const bool thrown_out =
+            result.regime == cell::Regime::failed && result.status == cell::Status::not_finite;
+        const bool escaped = thrown_out || cell::has_period(result.regime);
         // a start that ended on an orbit reached it shortly before that was proved; without impacts, after the
         // last one
         const std::int64_t end =

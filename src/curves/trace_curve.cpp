@@ -72,7 +72,7 @@ class HalfCurve {
             look_for_specials(here, *there);
             crossings.look(here, there->point);
             if (bounds_nothing(there->point)) return end_at_last_special();
-            keep(there->point);
+            keep_on_the_way(there->point);
             here = *there;
         }
     }
@@ -93,6 +93,13 @@ class HalfCurve {
   private:
     void keep(const OrbitPoint& point) { points.push_back(curve_point(rig_, point, kind_)); }
 
+    // But for those so close to an impact without speed that their multiplier is lost in rounding, and with it
+    // their order: the end is kept.
+    void keep_on_the_way(const OrbitPoint& point) {
+        const CurvePoint kept = curve_point(rig_, point, kind_);
+        if (kind_ == CurveKind::grazing || !std::isnan(kept.multiplier)) points.push_back(kept);
+    }
+
     std::optional<OrbitPoint> solve_with(const OrbitPoint& guess, const Condition& condition) const {
         return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
     }
@@ -102,6 +109,7 @@ class HalfCurve {
     // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
     // `unclear`.
     Step judge(const Stepper::Here& here, Stepper::Here& there) {
+        constexpr double at_once = 1e-4;  // both halves of a doubled orbit may graze together
         if (kind_ == CurveKind::grazing && is_impact_before_it(rig_, there.point)) {
             end = CurveEnd::lost;
             return Step::ends;
@@ -129,7 +137,7 @@ class HalfCurve {
         const bool breaks = fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow;
         if (breaks && has_same_events(here.point.orbit, there.point.orbit)) {
             const auto last = other_grazing(here.point, there.point, fault);
-            if (last && meets_another(*last, fault)) return Step::unclear;
+            if (last && meets_another(*last, fault) && stepper_.step() > at_once) return Step::unclear;
             if (last && window_.holds(last->place)) {
                 add_special(kind_ == CurveKind::fold
                                 ? SpecialKind::fold_grazing

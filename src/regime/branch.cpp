@@ -74,15 +74,15 @@ class JumpSearch {
     }
 
     // Whether one bifurcation through which the blows change gradually may lead from a motion to the next: a
-    // grazing, at which impacts alone are gained or lost, or a period doubling.
+    // grazing, at which impacts alone are gained or lost, also by a motion without any, or a period doubling.
     [[nodiscard]] bool may_be_smooth(std::int64_t column) const {
         const CellResult& from = cell(column);
         const CellResult& to = cell(column + 1);
         const auto doubles = [](const CellResult& a, const CellResult& b) {
             return 2 * a.period == b.period && 2 * a.impacts == b.impacts;
         };
-        return !has_period(from.regime) || !has_period(to.regime) || from.period == to.period ||
-               doubles(from, to) || doubles(to, from);
+        const bool strike = from.regime == Regime::periodic && to.regime == Regime::periodic;
+        return !strike || from.period == to.period || doubles(from, to) || doubles(to, from);
     }
 
     // Whether a motion with a period begins or ends, and the change is more than twice each of the four before

@@ -37,10 +37,10 @@ struct BranchPoint {
 // Marks where the peak force or, on a rigid stop, which has none, the largest impact speed jumps from one point
 // to the next in the branch's direction: the change exceeds a twentieth of the branch's largest; it exceeds 2.5
 // times the changes in the steps before and after between motions with a period, since neither a steep slope is
-// a jump nor an onset with a square root, or once where no period doubling or grazing leads from one of the two
-// periods to the other, as the way into a fold is steep itself; and, since forces scatter between windows in
-// chaos, a motion with a period begins or ends there that persists for four points or up to the end of the
-// branch, or one begins or ends where the change exceeds twice each of the four before and after it.
+// a jump nor an onset with a square root, or once where neither a period doubling nor a grazing leads from one
+// motion with impacts to the next, as the way into a fold is steep itself; and, since forces scatter between
+// windows in chaos, a motion with a period begins or ends there that persists for four points or up to the end
+// of the branch, or one begins or ends where the change exceeds twice each of the four before and after it.
 void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
 
 }  // namespace peterka::regime

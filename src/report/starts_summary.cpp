@@ -48,15 +48,18 @@ std::string numbers(const StartCounts& counts) {
     return text + "\n";
 }
 
-// They are counted as no attractor.
+// Cells may have more attractors than are stored.
+std::string of_kept(const StartCounts& counts) {
+    return counts.left_over > 0 ? ", of the attractors that are kept" : "";
+}
+
+// They are counted as no attractor, if they are kept.
 std::string failing(const StartCounts& counts) {
     if (counts.failing == 0) return "";
     return fmt::format(
-        "  besides, starts that leave physics or the range of numbers (failed): in {} of the cells, up to "
-        "{:.3g} "
-        "% of\n"
-        "  a cell's starts\n",
-        readable_share(counts.failing, counts.cells), 100 * counts.most_failing);
+        "  besides, starts that leave physics or the range of numbers (failed){}: in {} of the cells,\n"
+        "  up to {:.3g} % of a cell's starts\n",
+        of_kept(counts), readable_share(counts.failing, counts.cells), 100 * counts.most_failing);
 }
 
 std::string commonest_pairs(const StartFindings& findings) {
@@ -91,11 +94,6 @@ std::string what_is_known(const StartCounts& counts) {
 // To so many digits, as a number: 390, where their format alone would say 3.9e+02.
 double rounded(double number, int digits) {
     return std::stod(fmt::format("{:.{}e}", number, digits - 1));
-}
-
-// Cells may have more attractors than are stored.
-std::string of_kept(const StartCounts& counts) {
-    return counts.left_over > 0 ? ", of the attractors that are kept" : "";
 }
 
 std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
@@ -144,8 +142,10 @@ std::string starts_summary(const scene::Scene& scene, const StartFindings& findi
         text += fmt::format("  and on none of those that are kept in {}\n",
                             readable_share(counts.not_kept, counts.cells));
     if (counts.left_over > 0)
-        text += fmt::format("  {} cells have more attractors than starts.attractors keeps\n",
-                            readable_count(counts.left_over));
+        text += fmt::format(
+            "  {} cells have more attractors than starts.attractors keeps; the others may be unresolved or "
+            "failed\n",
+            readable_count(counts.left_over));
     return text + dying_chaos(scene, counts) + what_is_missed(job.starts.count);
 }
 

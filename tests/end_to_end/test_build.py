@@ -24,6 +24,6 @@ def test_a_folder_may_have_a_space_in_its_name_and_another_python_be_first(tmp_p
     assert "Found Python3: /usr/bin/python3 " in configured.stdout
     # a source that includes HDF5 and MPI, and the header generated for each build
     built = subprocess.run(["cmake", "--build", "a build", "--target", "peterka_commit",
-                            "CMakeFiles/peterka_core.dir/src/map_file/provenance.cpp.o"], cwd=source,
+                            "CMakeFiles/peterka_telling.dir/src/map_file/provenance.cpp.o"], cwd=source,
                            capture_output=True, text=True)
     assert built.returncode == 0, built.stdout + built.stderr

@@ -300,6 +300,7 @@ def test_codes_are_words_in_a_table_and_numbers_in_other_formats(tmp_path, run_p
     assert [(line["status"], line["edge_kind_gap_m"], line["engine"]) for line in lines[:2]] == [
         ("verified", "fold", "exact"), ("rounding", "grazing", "cvode")]
     assert lines[23]["status"] == ""
-    assert (lines[2]["computed"], lines[2]["status"]) == ("filled", "") and lines[4]["status"] == "verified"  # nothing is verified there
+    assert (lines[2]["computed"], lines[2]["status"], lines[2]["engine"]) == ("filled", "", "")  # nothing was followed there
+    assert (lines[4]["computed"], lines[4]["status"], lines[4]["engine"]) == ("computed", "verified", "exact")
     assert {(line["regime"] == "not_computed", line["cycles"]) for line in lines} == {(False, "75"), (True, "")}
     assert (read_vtk(tmp_path / "a.vtk")["status"].ravel()[:23] == numbers.ravel()[:23]).all()

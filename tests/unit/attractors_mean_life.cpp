@@ -33,6 +33,19 @@ TEST(MeanLife, IsTheTimeOnTheChaosOverTheEscapes) {
     EXPECT_DOUBLE_EQ(life.error(), life.mean() / std::sqrt(2.0));
 }
 
+// Out of the range of numbers, by softening springs; a solver that fails tells nothing of what comes next.
+TEST(MeanLife, EndsWhereTheHammerIsThrownOut) {
+    MeanLife life;
+    CellResult thrown_out = start(Regime::failed, 80, 580);
+    thrown_out.status = cell::Status::not_finite;
+    CellResult stuck = start(Regime::failed, 80, 380);
+    stuck.status = cell::Status::solver_failed;
+    life.take(thrown_out);
+    EXPECT_EQ(life.mean(), 500);
+    life.take(stuck);
+    EXPECT_EQ(life.mean(), 800);
+}
+
 TEST(MeanLife, IsUnknownWhereNoneEscapes) {
     MeanLife life;
     life.take(start(Regime::chaotic, 80, 1080));

@@ -273,6 +273,18 @@ TEST(Jumps, AreToldAfterASteepWayToAnotherPeriod) {
     EXPECT_EQ(marked(2, 1, 22), std::vector<std::size_t>());
 }
 
+// A motion without impacts that comes to graze each second cycle.
+TEST(Jumps, AreNoneWhereImpactsBegin) {
+    auto points = with_forces({0, 0, 0, 0, 0.0171, 0.0270, 0.0338, 0.0395}, Regime::periodic);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].cell.regime = i < 4 ? Regime::no_impact : Regime::periodic;
+        points[i].cell.impacts = i < 4 ? 0 : 1;
+        points[i].cell.period = i < 4 ? 1 : 2;
+    }
+    mark_jumps(points, Direction::up);
+    EXPECT_EQ(jumps(points), std::vector<std::size_t>());
+}
+
 // A period doubling just after a point: the blow grows as the square root of the distance.
 TEST(Jumps, AreNoneAtAnOnsetWithASquareRoot) {
     std::vector<double> forces(5, 1.0);

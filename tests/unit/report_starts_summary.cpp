@@ -75,7 +75,7 @@ TEST(StartsSummary, TellsHowManyStartsFail) {
     EXPECT_EQ(text_of(counts).find("fail"), std::string::npos) << text_of(counts);
     counts.failing = 3;
     counts.most_failing = 0.4;
-    EXPECT_NE(text_of(counts).find("(failed): in 1.5 % of the cells, up to 40 % of\n  a cell's starts\n"),
+    EXPECT_NE(text_of(counts).find("(failed): in 1.5 % of the cells,\n  up to 40 % of a cell's starts\n"),
               std::string::npos)
         << text_of(counts);
 }

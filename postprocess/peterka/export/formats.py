@@ -22,6 +22,7 @@ from .traces import TraceTable, tables_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 MOST_NAMED = 12
+OF_A_RUN = ("status", "engine")  # what filled cells don't have
 
 
 def write_csv(file: PeterkaFile, path: Path) -> None:
@@ -35,8 +36,8 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
         for first, band in bands(file, fields):
             for row in range(len(band[fields[0].name])):
                 done = band["regime"][row] != NOT_COMPUTED
-                verified = done & (band["computed"][row] != 0) if "computed" in band else done  # nothing is, in filled cells
-                values = [_texts(field, band[field.name][row], verified if field.dataset == "status" else done) for field in fields]
+                followed = done & (band["computed"][row] != 0) if "computed" in band else done
+                values = [_texts(field, band[field.name][row], followed if field.dataset in OF_A_RUN else done) for field in fields]
                 for column, cells in enumerate(zip(*values)):
                     places = {0: first + row, 1: column}
                     table.writerow([*(_number(numbers[places[which]]) for side, which in sides
@@ -157,7 +158,7 @@ def _once(side: Side) -> list[Reals]:
 
 def _texts(field: Field, values: NDArray[Any], done: Mask) -> list[str]:
     """`done`: of the cells that are computed; counts of the others are no numbers."""
-    if field.dataset == "status":
+    if field.words and field.dataset in OF_A_RUN:
         return [field.words.get(value, str(value)) if is_done else "" for value, is_done in zip(values.tolist(), done)]
     if field.words:
         return [field.words.get(value, str(value)) for value in values.tolist()]
