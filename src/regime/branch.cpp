@@ -35,15 +35,10 @@ class JumpSearch {
         const double change = change_after(column);
         if (!(change > least_change_)) return false;
         if (!lasts(column, -1) && !lasts(column + 1, 1) && !stands_out(column)) return false;
-        const double steepest = std::max(slope_after(column - 1), slope_after(column + 1));
-        return change > (may_be_smooth(column) ? beyond_an_onset : 1) * steepest;
+        return change > least_ratio(column) * std::max(slope_after(column - 1), slope_after(column + 1));
     }
 
   private:
-    // From a step whose first point lies just beyond an onset, a blow that changes as the square root of the
-    // distance changes by up to 1 + sqrt(2) times as much as in the next step.
-    static constexpr double beyond_an_onset = 2.5;
-
     static double blow(const CellResult& cell) {
         return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
     }
@@ -73,16 +68,19 @@ class JumpSearch {
         return true;
     }
 
-    // Whether one bifurcation through which the blows change gradually may lead from a motion to the next: a
-    // grazing, at which impacts alone are gained or lost, also by a motion without any, or a period doubling.
-    [[nodiscard]] bool may_be_smooth(std::int64_t column) const {
+    // By how much a jump exceeds the steps beside it. Where a period doubles, the blow grows as the square root
+    // of the distance: in a step that begins just before, by up to 1 + sqrt(2) times as much as in the next.
+    // Where neither that nor a grazing, at which impacts alone are gained or lost, leads from one motion with
+    // impacts to the next, there is a fold, and the way into it is steep.
+    [[nodiscard]] double least_ratio(std::int64_t column) const {
         const CellResult& from = cell(column);
         const CellResult& to = cell(column + 1);
+        if (from.regime != Regime::periodic || to.regime != Regime::periodic) return 2;
         const auto doubles = [](const CellResult& a, const CellResult& b) {
             return 2 * a.period == b.period && 2 * a.impacts == b.impacts;
         };
-        const bool strike = from.regime == Regime::periodic && to.regime == Regime::periodic;
-        return !strike || from.period == to.period || doubles(from, to) || doubles(to, from);
+        if (same_label(from, to) || doubles(from, to) || doubles(to, from)) return 2.5;
+        return from.period == to.period ? 2 : 1;
     }
 
     // Whether a motion with a period begins or ends, and the change is more than twice each of the four before

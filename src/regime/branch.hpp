@@ -35,12 +35,12 @@ struct BranchPoint {
                                                      const std::function<void()>& look);
 
 // Marks where the peak force or, on a rigid stop, which has none, the largest impact speed jumps from one point
-// to the next in the branch's direction: the change exceeds a twentieth of the branch's largest; it exceeds 2.5
-// times the changes in the steps before and after between motions with a period, since neither a steep slope is
-// a jump nor an onset with a square root, or once where neither a period doubling nor a grazing leads from one
-// motion with impacts to the next, as the way into a fold is steep itself; and, since forces scatter between
-// windows in chaos, a motion with a period begins or ends there that persists for four points or up to the end
-// of the branch, or one begins or ends where the change exceeds twice each of the four before and after it.
+// to the next in the branch's direction: the change exceeds a twentieth of the branch's largest; it exceeds
+// twice the change in the steps before and after between motions with a period, as a steep slope is no
+// jump, 2.5 times where the motion stays or its period doubles, and once where neither that nor a grazing leads
+// from one motion with impacts to the next; and, since forces scatter between windows in chaos, a motion with a
+// period begins or ends there that persists for four points or up to the end of the branch, or one begins or
+// ends where the change exceeds twice each of the four before and after it.
 void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
 
 }  // namespace peterka::regime
