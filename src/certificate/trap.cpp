@@ -48,7 +48,7 @@ ReturnMap smallest_return_map(const Springs<double>& springs, const EventChain& 
 
 // P with a norm of P^-1 M P close to the largest |eigenvalue|: real and imaginary part of an eigenvector, or
 // Schur's vectors, the second shortened by so much that what lies off the diagonal matters little. In closed
-// form: Eigen's decompositions, made for any size, take a sixth of this folder's time to compile.
+// form: Eigen's decompositions, made for any size, take many seconds to compile.
 Eigen::Matrix2d coordinates_for(const Eigen::Matrix2d& m) {
     const double middle = m.trace() / 2;
     const double half_difference = (m(0, 0) - m(1, 1)) / 2;

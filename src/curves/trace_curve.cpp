@@ -109,7 +109,6 @@ class HalfCurve {
     // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
     // `unclear`.
     Step judge(const Stepper::Here& here, Stepper::Here& there) {
-        constexpr double at_once = 1e-4;  // both halves of a doubled orbit may graze together
         if (kind_ == CurveKind::grazing && is_impact_before_it(rig_, there.point)) {
             end = CurveEnd::lost;
             return Step::ends;
@@ -137,7 +136,7 @@ class HalfCurve {
         const bool breaks = fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow;
         if (breaks && has_same_events(here.point.orbit, there.point.orbit)) {
             const auto last = other_grazing(here.point, there.point, fault);
-            if (last && meets_another(*last, fault) && stepper_.step() > at_once) return Step::unclear;
+            if (last && meets_another(*last, fault)) return Step::unclear;
             if (last && window_.holds(last->place)) {
                 add_special(kind_ == CurveKind::fold
                                 ? SpecialKind::fold_grazing
@@ -259,10 +258,6 @@ class HalfCurve {
     Window window_;
     Stepper stepper_;
 };
-
-}  // namespace
-
-namespace {
 
 // NaN where a curve ends at an impact without speed on a rigid stop: there M is infinite, and close by lost in
 // rounding, while what defines the curve is not.

@@ -644,6 +644,17 @@ def test_unstable_branches_are_stored_once_at_the_gaps_of_the_job(tmp_path, job,
             assert GRAZES in kinds[np.abs(places - place) < 2e-7] and LOST not in kinds[np.abs(places - place) < 2e-7], place
 
 
+def test_multipliers_are_unknown_at_the_ends_of_curves_alone(tmp_path):
+    """Where an impact has no speed. A curve wandered there by rounding, 36 points within 1e-6 of the end."""
+    path, _ = compute(tmp_path, RIGID)
+    with h5py.File(path) as file:
+        kind, first, count = (file[f"curve_{name}"][()] for name in ("kind", "first", "points"))
+        multiplier = file["point_multiplier"][()]
+    assert np.isnan(multiplier).any()
+    for begin, length in zip(first[kind != GRAZING], count[kind != GRAZING]):
+        assert not np.isnan(multiplier[begin + 1:begin + length - 1]).any()
+
+
 IN_PARTS = """schema = 1
 kind = "curves"
 [hammer]

@@ -113,7 +113,6 @@ def test_a_doubling_between_many_weak_impacts_is_told_once_and_where_it_is(tmp_p
     assert found["crossing_multiplier"][doubles] == pytest.approx(-1, abs=1e-6)
     sign = np.repeat(np.array([1.0, -1.0, np.nan])[found["curve_kind"]], found["curve_points"])
     multiplier = found["point_multiplier"][np.isfinite(sign)]
-    assert np.isnan(multiplier).sum() < 0.02 * len(multiplier)  # at ends, where an impact has no speed
     assert np.nanmax(np.abs(multiplier - sign[np.isfinite(sign)])) < 1e-6
     frequency, proved = found["crossing_frequency_hz"], found["crossing_certified"] == PROVED
     assert proved.mean() > 0.5

@@ -1,4 +1,4 @@
-"""Writes the cells of maps and basins, the points of sweeps and traces for other programs, with force in N and axes in Hz, mm and m/s.
+"""Writes the cells of maps and basins, the points of sweeps, and traces for other programs, with force in N and axes in Hz, mm and m/s.
 
     export.py FILE.h5 [FILE.h5 ...] [--as csv,vtk,mat] [--output-dir DIR]
 

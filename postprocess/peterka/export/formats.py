@@ -122,25 +122,27 @@ def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[P
         if formats != ["csv"]:
             raise file.refusal(f"is a {what} are exported as csv alone; {', '.join(name for name in formats if name != 'csv')} "
                                "takes the cells of maps, basins and curves: use --as csv")
-        folder.mkdir(parents=True, exist_ok=True)
+    elif not isinstance(file, PeterkaFile):
+        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves, the points of sweeps, and traces are exported, others are read by xarray")
+    folder.mkdir(parents=True, exist_ok=True)
+
+    def named(end: str) -> Path:
+        return folder / f"{file.path.stem}{end}"
+
     if isinstance(file, TraceFile):
         for table in tables_of(file):
-            path = folder / f"{file.path.stem}{table.part and '_'}{table.part}.csv"
+            path = named(f"{table.part and '_'}{table.part}.csv")
             write_csv_of_trace(table, path)
             yield path
-        return
-    if isinstance(file, SweepFile):
-        path = folder / f"{file.path.stem}.csv"
+    elif isinstance(file, SweepFile):
+        path = named(".csv")
         write_csv_of_sweep(file, path)
         yield path
-        return
-    if not isinstance(file, PeterkaFile):
-        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves, the points of sweeps and traces are exported, others are read by xarray")
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in formats:
-        path = folder / f"{file.path.stem}.{name}"
-        FORMATS[name](file, path)
-        yield path
+    elif isinstance(file, PeterkaFile):
+        for name in formats:
+            path = named(f".{name}")
+            FORMATS[name](file, path)
+            yield path
 
 
 def left_out_in_words(file: OpenedFile) -> list[str]:
@@ -158,10 +160,9 @@ def _once(side: Side) -> list[Reals]:
 
 def _texts(field: Field, values: NDArray[Any], done: Mask) -> list[str]:
     """`done`: of the cells that are computed; counts of the others are no numbers."""
-    if field.words and field.dataset in OF_A_RUN:
-        return [field.words.get(value, str(value)) if is_done else "" for value, is_done in zip(values.tolist(), done)]
     if field.words:
-        return [field.words.get(value, str(value)) for value in values.tolist()]
+        told = done if field.dataset in OF_A_RUN else np.ones_like(done)
+        return [field.words.get(value, str(value)) if is_told else "" for value, is_told in zip(values.tolist(), told)]
     if field.whole:
         return [str(value) if is_done else "" for value, is_done in zip(values.tolist(), done)]
     return [_number(value) for value in values.tolist()]
