@@ -244,14 +244,17 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
 
 }  // namespace
 
-bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here) {
+bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here,
+                   double longest_step) {
     const PlanePoint ahead = Stepper::along(here.tangent);
+    const bool is_short = stepper.step() <= longest_step;
     const auto pair = reversed_pair(stepper.rig(), here.point);
     if (pair && has_same_events(from.point.orbit, here.point.orbit))
-        return leave_pair(stepper, from, here, *pair);
+        return is_short && leave_pair(stepper, from, here, *pair);
     const auto changed = with_true_events(stepper.rig(), here.point);
     if (changed && is_same_motion(changed->orbit, here.point.orbit))
         return true;  // the events differ by rounding only
+    if (!is_short) return false;
     auto settled =
         changed ? solve(stepper.rig(), *changed, stepper.window(), stepper.conditions()) : std::nullopt;
     const auto mirrored = settled ? reversed_pair(stepper.rig(), *settled) : std::nullopt;

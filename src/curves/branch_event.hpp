@@ -2,6 +2,7 @@
 // -1, or an impact is gained or lost.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "curves/branch_step.hpp"
@@ -21,7 +22,9 @@ struct BranchEvent {
                                 const OrbitFault& fault, bool by_multipliers = true);
 
 // Gives `here`, reached by a step from `from`, the events of its true motion if they differ but the number of
-// impacts does not; false if no orbit with these events is found.
-[[nodiscard]] bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here);
+// impacts does not; false if no orbit with these events is found, or if the step is longer than the longest one
+// [of the window] in which more than one change can be excluded.
+[[nodiscard]] bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here,
+                                 double longest_step = std::numeric_limits<double>::infinity());
 
 }  // namespace peterka::curves

@@ -42,7 +42,7 @@ class Follower {
                 return {false, judged.seed, judged.seed->point.place};
             }
             const bool too_long = judged.lost || (fault.kind == OrbitFault::Kind::pattern &&
-                                                  !change_events(stepper_, here, there));
+                                                  !change_events(stepper_, here, there, longest_change));
             if (too_long || (look && !look(here.point, there.point, there.point.place))) {
                 if (stepper_.step() < 1e-6) return lost;
                 stepper_.set_step(stepper_.step() / 8);
@@ -80,6 +80,9 @@ class Follower {
         const PlanePoint along = Stepper::along(here.tangent);
         return std::min(0.25, 0.02 / std::max(std::hypot(along.column, along.row), 1e-3));
     }
+
+    // Where a renewed contact is born, it may be an impact of its own soon after.
+    static constexpr double longest_change = 1e-4;
 
     PlanePoint begin_;
     PlanePoint way_;

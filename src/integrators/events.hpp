@@ -214,8 +214,10 @@ std::optional<LegPoint> StepEvents<Stepper>::locate(Signal signal, const LegPoin
     const LegPoint& before = stepper_->before();
     Sample start = sample(signal, before.time < quiet_ ? look(quiet_) : before);
     start.value = std::min(start.value, 0.0);  // a leg starts on a surface, up to rounding
-    const auto bracket =
-        first_rise(start, sample(signal, end), [&](double time) { return sample(signal, look(time)); });
+    int looks = most_looks;
+    const auto bracket = first_rise(
+        start, sample(signal, end), [&](double time) { return sample(signal, look(time)); }, looks);
+    if (looks <= 0) failed_ = true;
     if (!bracket) return std::nullopt;
     return refine(signal, *bracket);
 }
@@ -236,7 +238,8 @@ double StepEvents<Stepper>::largest_force(const LegPoint& end, double largest) {
     const LegPoint& start = stepper_->before();
     if (!(end.time > start.time)) return std::max(largest, force(end).value);
     const auto between = [&](double time) { return force(look(time)); };
-    return largest_between(force(start), force(end), between, leg_->local_tolerance, largest);
+    int looks = most_looks;
+    return largest_between(force(start), force(end), between, leg_->local_tolerance, largest, looks);
 }
 
 template <class Stepper>
@@ -261,9 +264,10 @@ double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double lar
                           side * a};
         };
         if (end.time > start.time) {
+            int looks = most_looks;
             largest = largest_between(
                 outwards(start), outwards(end), [&](double time) { return outwards(look(time)); },
-                leg_->local_tolerance, largest);
+                leg_->local_tolerance, largest, looks);
         } else {
             largest = std::max(largest, outwards(end).value);
         }

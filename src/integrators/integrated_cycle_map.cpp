@@ -1,5 +1,7 @@
 #include "integrators/integrated_cycle_map.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -21,6 +23,19 @@ constexpr double explicit_5_share = 0.4;
 constexpr double explicit_8_share = 5;  // its steps are short for other reasons: more accurate than requested
 constexpr double implicit_share = 0.004;
 
+// Local errors of a ringing contact's flow grow to this many times its rate in the Jacobian, which decides on
+// stability; a stop so stiff that no tolerance keeps them small isn't followed.
+constexpr double of_jacobian = 0.01;
+constexpr double tightest = 1e-14;
+
+// The rate of a contact into which the motion leads at its usual speed; 0 where it doesn't ring. In omega.
+double rate_of_ringing(const Oscillator<double>& oscillator) {
+    if (scene::is_rigid(oscillator.contact)) return 0;
+    const double speed = trajectory::response_length(oscillator) * std::max(1.0, oscillator.frequency);
+    const auto contact = trajectory::linearized_contact(oscillator, {0, speed});
+    return contact.damping * contact.damping < 4 * contact.stiffness ? std::sqrt(contact.stiffness) : 0;
+}
+
 constexpr double tight = 2e-8;  // below it the explicit method of order 8 is faster than the one of order 5
 
 // The error estimate of Fehlberg's order-8 method (NASA TR R-287, 1968) sees only the ends of a step: it misses
@@ -32,28 +47,35 @@ bool suits_order_8(const Oscillator<double>& oscillator) {
 }  // namespace
 
 struct IntegratedCycleMap::Engine {
+    double rate;
     std::variant<Cvode, Arkode> integration;
 
     Engine(const Oscillator<double>& oscillator, Integrator integrator, double tolerance)
-        : integration(make(oscillator, integrator, tolerance)) {}
+        : rate(rate_of_ringing(oscillator)), integration(make(oscillator, integrator, tolerance, rate)) {}
 
     static std::variant<Cvode, Arkode> make(const Oscillator<double>& oscillator, Integrator integrator,
-                                            double tolerance) {
+                                            double tolerance, double rate) {
+        const double most = of_jacobian / std::max(rate, of_jacobian);
+        const auto local = [&](double share) {
+            return std::max(std::min(share * tolerance, most), std::min(share * tolerance, tightest));
+        };
         switch (integrator) {
             case Integrator::cvode_adams:
-                return Cvode(oscillator, CvodeStepper::Method::adams, adams_share * tolerance);
+                return Cvode(oscillator, CvodeStepper::Method::adams, local(adams_share));
             case Integrator::cvode_bdf:
-                return Cvode(oscillator, CvodeStepper::Method::bdf, bdf_share * tolerance);
+                return Cvode(oscillator, CvodeStepper::Method::bdf, local(bdf_share));
             case Integrator::arkode_explicit:
                 if (tolerance < tight && suits_order_8(oscillator)) {
-                    return Arkode(oscillator, ArkodeStepper::Method::explicit_8, explicit_8_share * tolerance);
+                    return Arkode(oscillator, ArkodeStepper::Method::explicit_8, local(explicit_8_share));
                 }
-                return Arkode(oscillator, ArkodeStepper::Method::explicit_5, explicit_5_share * tolerance);
+                return Arkode(oscillator, ArkodeStepper::Method::explicit_5, local(explicit_5_share));
             case Integrator::arkode_implicit:
                 break;
         }
-        return Arkode(oscillator, ArkodeStepper::Method::implicit_5, implicit_share * tolerance);
+        return Arkode(oscillator, ArkodeStepper::Method::implicit_5, local(implicit_share));
     }
+    // Whether errors of rounding would decide on stability.
+    [[nodiscard]] bool is_too_stiff() const { return rate * tightest > of_jacobian; }
 };
 
 IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& oscillator, Integrator integrator,
@@ -76,6 +98,7 @@ const Oscillator<double>& IntegratedCycleMap::oscillator() const {
 }
 
 Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<double>* recorder) {
+    if (engine_->is_too_stiff()) return {.outcome = Cycle<double>::Outcome::solver_failed, .end = x};
     return std::visit([&](auto& i) { return i.cycle(x, 0, i.oscillator().period(), recorder); },
                       engine_->integration);
 }

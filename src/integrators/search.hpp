@@ -91,6 +91,8 @@ double sign_change(Function&& function, bool rising) {
 }
 
 constexpr int deepest_look = 24;  // halvings of a step: 1e-7 of it, where any signal is a parabola
+// Samples within a step; where it takes more, the signal is noise throughout.
+constexpr int most_looks = 10'000;
 
 struct Bracket {
     Sample below;
@@ -98,37 +100,41 @@ struct Bracket {
 };
 
 // Where the signal first rises through zero between two samples, the first of which is not above zero;
-// sample_at(time) gives a sample in between.
+// sample_at(time) gives a sample in between, `looks` of them at most: none where it falls to 0.
 template <class SampleAt>
-std::optional<Bracket> first_rise(const Sample& a, const Sample& b, SampleAt&& sample_at,
+std::optional<Bracket> first_rise(const Sample& a, const Sample& b, SampleAt&& sample_at, int& looks,
                                   int depth = deepest_look) {
     const SignalCurve curve(a, b);
     if (curve.upper_bound() <= 0) return std::nullopt;
     if (b.value > 0 && (curve.rises() || depth == 0)) return Bracket{a, b};
-    if (depth == 0) return std::nullopt;
+    if (depth == 0 || looks <= 0) return std::nullopt;
+    --looks;
     const Sample middle = sample_at((a.time + b.time) / 2);
-    if (const auto early = first_rise(a, middle, sample_at, depth - 1)) return early;
-    return middle.value > 0 ? Bracket{a, middle} : first_rise(middle, b, sample_at, depth - 1);
+    if (const auto early = first_rise(a, middle, sample_at, looks, depth - 1)) return early;
+    return middle.value > 0 ? Bracket{a, middle} : first_rise(middle, b, sample_at, looks, depth - 1);
 }
 
-// The largest value between two samples, or `largest` where none exceeds it by more than this relative amount.
+// The largest value between two samples, or `largest` where none exceeds it by more than this relative amount;
+// of `looks` samples in between at most.
 template <class SampleAt>
 double largest_between(const Sample& a, const Sample& b, SampleAt&& sample_at, double relative, double largest,
-                       int depth = deepest_look) {
+                       int& looks, int depth = deepest_look) {
     largest = std::max({largest, a.value, b.value});
     const SignalCurve curve(a, b);
-    if (depth == 0 || curve.upper_bound() <= largest * (1 + relative)) return largest;
+    if (depth == 0 || looks <= 0 || curve.upper_bound() <= largest * (1 + relative)) return largest;
     if (curve.is_concave()) {
         if (a.slope <= 0 || b.slope >= 0) return largest;
         const double share = sign_change([&](double s) { return -curve.slope(s); }, true);
+        --looks;
         const Sample top = sample_at(a.time + share * (b.time - a.time));
         // the curve's maximum is so close that the parabola's correction is exact
         const double correction = top.curvature < 0 ? top.slope * top.slope / (-2 * top.curvature) : 0;
         return std::max(largest, top.value + correction);
     }
     const Sample middle = sample_at((a.time + b.time) / 2);
-    largest = largest_between(a, middle, sample_at, relative, largest, depth - 1);
-    return largest_between(middle, b, sample_at, relative, largest, depth - 1);
+    --looks;
+    largest = largest_between(a, middle, sample_at, relative, largest, looks, depth - 1);
+    return largest_between(middle, b, sample_at, relative, largest, looks, depth - 1);
 }
 
 }  // namespace peterka::integrators

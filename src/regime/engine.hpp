@@ -24,6 +24,8 @@ struct EngineSettings {
     double orbit_tolerance = 1;        // tolerance for an orbit once it is found, if smaller
 };
 
+constexpr double finest_of_integrators = 1e-12;  // tolerance
+
 // The integrator of the engine cvode or arkode: implicit where the contact is stiff.
 integrators::Integrator integrator_of(const scene::Oscillator<double>& oscillator, Engine engine);
 

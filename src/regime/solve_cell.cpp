@@ -299,13 +299,12 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
 }
 
 CellResult solve_again(const job::Job& job, const scene::Cell& cell, Engine first_engine) {
-    constexpr double finest = 1e-12;   // of an integrator
     constexpr double coarsest = 1e-8;  // of a check
     const Engine cheaper = cheaper_integrator(cell.oscillator);
     const Engine other = cheaper == Engine::cvode ? Engine::arkode : Engine::cvode;
     return find_steady_state(cell.oscillator, cell.start, job.steady_state,
                              {.engine = cheaper == first_engine ? other : cheaper,
-                              .tolerance = std::clamp(job.solver.tolerance, finest, coarsest)});
+                              .tolerance = std::clamp(job.solver.tolerance, finest_of_integrators, coarsest)});
 }
 
 std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell) {

@@ -126,6 +126,23 @@ TEST(Curves, ALongStepDoesNotPassOverADoublingAndItsReverse) {
     }
 }
 
+// 4/2 whose last contact is renewed from 2.8018 on, and from 2.80213 to 2.80216 becomes two impacts. Expected
+// is where labels of a sweep with 20,001 points change.
+TEST(Curves, ALongStepDoesNotPassOverAnImpactThatARenewedContactBecomes) {
+    const auto rig = rig_170mm();
+    const PlanePoint from{2.7992125984251968, 0.6692913385826772};
+    const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig, from, 2);
+    ASSERT_TRUE(orbit);
+    ASSERT_EQ(orbit->orbit.impacts(), 4);
+    const auto any_step = [](const OrbitPoint&, const OrbitPoint&, const PlanePoint&) { return true; };
+    for (const double to : {2.803, 2.81, 3.0, 4.5}) {
+        const FollowedOrbit followed = follow(Rig(rig), *orbit, {to, from.row}, window, any_step);
+        ASSERT_TRUE(followed.seed);
+        EXPECT_EQ(followed.seed->kind, CurveKind::grazing);
+        EXPECT_NEAR(followed.seed->point.place.column - from.column, 0.002916, 2e-6) << to;
+    }
+}
+
 TEST(Curves, PeriodDoublingOfARigidStop) {
     const auto rig = rigid_rig();
     EXPECT_NEAR(edge(rig, {2, 0}, {3, 0}).point.place.column, 2.6609482425529, 1e-9);

@@ -124,6 +124,19 @@ struct Looked {
     }
 };
 
+template <class SampleAt>
+auto rise_between(const Sample& a, const Sample& b, SampleAt& sample_at, int depth = deepest_look) {
+    int looks = most_looks;
+    return first_rise(a, b, sample_at, looks, depth);
+}
+
+template <class SampleAt>
+double largest_of(const Sample& a, const Sample& b, SampleAt& sample_at, double relative, double largest,
+                  int depth = deepest_look) {
+    int looks = most_looks;
+    return largest_between(a, b, sample_at, relative, largest, looks, depth);
+}
+
 // A sin(w t + phase) + offset, with its derivatives.
 auto wave(double amplitude, double rate, double phase, double offset) {
     return [=](double t) {
@@ -137,7 +150,7 @@ auto wave(double amplitude, double rate, double phase, double offset) {
 TEST(FirstRise, SeesAHopThatNoEndShows) {
     for (const double above : {1e-3, 1e-6, 1e-9}) {
         Looked look{wave(1, 1, std::numbers::pi / 2 - 1, above - 1)};
-        const auto rise = first_rise(look.signal(0.3), look.signal(1.6), look);
+        const auto rise = rise_between(look.signal(0.3), look.signal(1.6), look);
         ASSERT_TRUE(rise) << above;
         const double root = 1 - std::acos(1 - above);
         EXPECT_LE(rise->below.time, root);
@@ -146,13 +159,13 @@ TEST(FirstRise, SeesAHopThatNoEndShows) {
         EXPECT_GT(rise->above.value, 0);
         EXPECT_LT(look.looks, 60);
         Looked below{wave(1, 1, std::numbers::pi / 2 - 1, -above - 1)};
-        EXPECT_FALSE(first_rise(below.signal(0.3), below.signal(1.6), below)) << above;
+        EXPECT_FALSE(rise_between(below.signal(0.3), below.signal(1.6), below)) << above;
     }
 }
 
 TEST(FirstRise, IsTheFirstOfSeveral) {
     Looked look{wave(1, 8, std::numbers::pi, 0)};  // rises at pi/8, 3 pi/8, ...
-    const auto rise = first_rise(look.signal(0.1), look.signal(1.3), look);
+    const auto rise = rise_between(look.signal(0.1), look.signal(1.3), look);
     ASSERT_TRUE(rise);
     EXPECT_LE(rise->below.time, std::numbers::pi / 8);
     EXPECT_GE(rise->above.time, std::numbers::pi / 8);
@@ -161,11 +174,11 @@ TEST(FirstRise, IsTheFirstOfSeveral) {
 
 TEST(FirstRise, LooksNowhereWhereTheCurveRisesOrStaysBelow) {
     Looked look{wave(1, 1, 0, 0)};
-    const auto rise = first_rise(look.signal(-0.5), look.signal(0.5), look);
+    const auto rise = rise_between(look.signal(-0.5), look.signal(0.5), look);
     ASSERT_TRUE(rise);
     EXPECT_EQ(rise->below.time, -0.5);
     EXPECT_EQ(rise->above.time, 0.5);
-    EXPECT_FALSE(first_rise(look.signal(-1.5), look.signal(-0.5), look));
+    EXPECT_FALSE(rise_between(look.signal(-1.5), look.signal(-0.5), look));
     EXPECT_EQ(look.looks, 0);
 }
 
@@ -173,9 +186,25 @@ TEST(FirstRise, LooksNowhereWhereTheCurveRisesOrStaysBelow) {
 TEST(FirstRise, EndsAtItsDepth) {
     Looked look{wave(1, 8, std::numbers::pi, 0)};
     const Sample below = look.signal(0.1);
-    EXPECT_FALSE(first_rise(below, look.signal(0.9), look, 0));
-    EXPECT_TRUE(first_rise(below, look.signal(0.5), look, 0));
+    EXPECT_FALSE(rise_between(below, look.signal(0.9), look, 0));
+    EXPECT_TRUE(rise_between(below, look.signal(0.5), look, 0));
     EXPECT_EQ(look.looks, 0);
+}
+
+// Noise, of which each half looks as if it might hold more: 2^24 samples wouldn't tell.
+TEST(FirstRise, GivesUpInNoise) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    Looked look{[&](double t) {
+        return Sample{t, -1e-3 - 1e-6 * std::abs(normal(random)), 1e6 * normal(random), 1e12 * normal(random)};
+    }};
+    int looks = 1000;
+    EXPECT_FALSE(first_rise(look.signal(0), look.signal(1), look, looks));
+    EXPECT_EQ(looks, 0);
+    EXPECT_EQ(look.looks, 1000);
+    looks = 1000;
+    EXPECT_LT(largest_between(look.signal(0), look.signal(1), look, 1e-9, -1, looks), 0);
+    EXPECT_LE(look.looks, 2100);
 }
 
 TEST(LargestBetween, IsThatInsideOrAtAnEnd) {
@@ -189,7 +218,7 @@ TEST(LargestBetween, IsThatInsideOrAtAnEnd) {
         for (const double peak : {std::numbers::pi / 2, 2.5 * std::numbers::pi, 4.5 * std::numbers::pi}) {
             if (begin < peak && peak < begin + length) top = 7;
         }
-        const auto found = largest_between(look.signal(begin), look.signal(begin + length), look, 1e-9, 0);
+        const auto found = largest_of(look.signal(begin), look.signal(begin + length), look, 1e-9, 0);
         EXPECT_NEAR(found, top, 2e-8) << n;
         EXPECT_LT(look.looks, 200) << n;
     }
@@ -199,23 +228,23 @@ TEST(LargestBetween, OfTwoHumpsIsTheHigher) {
     Looked look{[](double t) { return Sample{t, std::sin(t) + 0.1 * t, std::cos(t) + 0.1, -std::sin(t)}; }};
     const double top = std::acos(-0.1) + 2 * std::numbers::pi;
     for (const double relative : {1e-6, 1e-10}) {
-        const double found = largest_between(look.signal(0), look.signal(9), look, relative, -10);
+        const double found = largest_of(look.signal(0), look.signal(9), look, relative, -10);
         EXPECT_NEAR(found, look.signal(top).value, 2 * relative);
     }
 }
 
 TEST(LargestBetween, LooksNoFurtherWhereNothingExceedsTheLargestSoFar) {
     Looked look{wave(1, 1, 0, 0)};
-    EXPECT_EQ(largest_between(look.signal(1), look.signal(2), look, 1e-9, 3), 3);
+    EXPECT_EQ(largest_of(look.signal(1), look.signal(2), look, 1e-9, 3), 3);
     EXPECT_EQ(look.looks, 0);
-    EXPECT_EQ(largest_between(look.signal(0.2), look.signal(1), look, 1e-9, 0), look.signal(1).value);
-    EXPECT_EQ(largest_between(look.signal(2), look.signal(3), look, 1e-9, 0), look.signal(2).value);
+    EXPECT_EQ(largest_of(look.signal(0.2), look.signal(1), look, 1e-9, 0), look.signal(1).value);
+    EXPECT_EQ(largest_of(look.signal(2), look.signal(3), look, 1e-9, 0), look.signal(2).value);
     EXPECT_EQ(look.looks, 0);
-    EXPECT_NEAR(largest_between(look.signal(1), look.signal(2), look, 1e-9, 0), 1, 1e-12);
+    EXPECT_NEAR(largest_of(look.signal(1), look.signal(2), look, 1e-9, 0), 1, 1e-12);
     EXPECT_EQ(look.looks, 1);  // the top of a concave curve, and the parabola's correction
-    EXPECT_LT(largest_between(look.signal(1), look.signal(2), look, 0.1, 0.95), 0.96);
+    EXPECT_LT(largest_of(look.signal(1), look.signal(2), look, 0.1, 0.95), 0.96);
     EXPECT_EQ(look.looks, 1);
-    EXPECT_LT(largest_between(look.signal(1), look.signal(2.5), look, 1e-9, 0, 0), 1);
+    EXPECT_LT(largest_of(look.signal(1), look.signal(2.5), look, 1e-9, 0, 0), 1);
     EXPECT_EQ(look.looks, 1);
 }
 
@@ -224,14 +253,14 @@ TEST(LargestBetween, IsTheSampleAtAFlatTop) {
     const auto parabola = [](double t) { return Sample{t, -(t - 1) * (t - 1), -2 * (t - 1), -2}; };
     for (const double slope : {0.0, 1e-3}) {
         const auto flat = [&](double time) { return Sample{time, 0.25, slope, 0}; };
-        EXPECT_EQ(largest_between(parabola(0), parabola(1.7), flat, 1e-9, -10), 0.25) << slope;
+        EXPECT_EQ(largest_of(parabola(0), parabola(1.7), flat, 1e-9, -10), 0.25) << slope;
     }
 }
 
 // The curvature at the top isn't known: its value is taken as it is.
 TEST(LargestBetween, NeedsNoCurvature) {
     Looked look{[](double t) { return Sample{t, -(t - 1) * (t - 1), -2 * (t - 1), unknown}; }};
-    EXPECT_NEAR(largest_between(look.signal(0), look.signal(1.7), look, 1e-9, -10), 0, 1e-15);
+    EXPECT_NEAR(largest_of(look.signal(0), look.signal(1.7), look, 1e-9, -10), 0, 1e-15);
 }
 
 }  // namespace

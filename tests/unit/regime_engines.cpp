@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "regime/solve_cell.hpp"
 #include "rig.hpp"
@@ -231,6 +233,65 @@ TEST(AutomaticEngine, IntegratesHuntCrossleyStops) {
     EXPECT_EQ(with.regime, Regime::periodic);
     job.hammer.cubic_stiffness_n_per_m3 = 0;
     EXPECT_GT(std::abs(solve_cell(scene::Scene(job), 0, 1).peak_force / with.peak_force - 1), 1e-7);
+}
+
+job::Job hunt_crossley_job(double exponent, double stiffness, double dissipation, double frequency,
+                           double gap) {
+    job::Job job;
+    job.hammer = {.mass_kg = 0.3, .natural_frequency_hz = 4.5, .damping_ratio = 0.01};
+    job.cart.amplitude_m = 1e-3;
+    job.contact = job::HuntCrossley{stiffness, exponent, dissipation};
+    job.columns = {frequency, frequency + 1, 2};
+    job.rows = {gap, gap + 1, 2};
+    job.solver.tolerance = 1e-6;
+    return job;
+}
+
+// F/(m g).
+double force_over_weight(const job::Job& job, const CellResult& cell) {
+    const double omega = 2 * std::numbers::pi * *job.hammer.natural_frequency_hz;
+    return cell.peak_force * omega * omega * job.cart.amplitude_m / 9.80665;
+}
+
+// Expected: DOP853 of a program of its own, tolerance 1e-13, event roots and Newton's method on the orbit.
+TEST(HuntCrossleyStop, HasForcesWithinToleranceWhereTheContactIsStiffAndDamped) {
+    job::Job swings =
+        hunt_crossley_job(3.0, 1216389715504.3022, 5.5965343775204355, 4.583066325275967, 0.1516223763528861);
+    swings.hammer = {.mass_kg = 0.05174803715214935,
+                     .natural_frequency_hz = 8.417627107076452,
+                     .damping_ratio = 0.004824898792659594,
+                     .cubic_stiffness_n_per_m3 = -2038814.3906694571,
+                     .cubic = job::CubicForm::absolute};
+    swings.cart.amplitude_m = 0.0005494274242416768;
+    for (const auto& [job, expected] :
+         {std::pair{hunt_crossley_job(1.5, 75841343.71480247, 353677.65131532296, 3.0, 0), 41.63560635},
+          std::pair{hunt_crossley_job(2.5, 758413437148024.6, 3536.7765131532296, 3.0, 1e-3), 13.21403264},
+          std::pair{swings, 9.239431932}}) {
+        const CellResult cell = solve_cell(scene::Scene(job), 0, 0);
+        EXPECT_NEAR(force_over_weight(job, cell) / expected, 1, 1e-6);
+    }
+}
+
+// The orbit's force at this tolerance and at the next sharper one are 2e-5 apart: it may still be off.
+TEST(HuntCrossleyStop, SaysWhereItsForceMayBeOff) {
+    job::Job job = hunt_crossley_job(1.5, 75841343.71480247, 353677.65131532296, 3.0, 0);
+    EXPECT_EQ(solve_cell(scene::Scene(job), 0, 0).status, Status::imprecise);
+    job.contact = job::HuntCrossley{75841343.71480247, 1.5, 353.0};
+    EXPECT_EQ(solve_cell(scene::Scene(job), 0, 0).status, Status::verified);
+}
+
+// Errors of a stiff contact's flow grow to its rate times the local tolerance in the Jacobian. The same 1/1 at
+// any of these stiffnesses, by the same program.
+TEST(HuntCrossleyStop, IsNotTakenForChaoticWhereItIsExtremelyStiff) {
+    for (const double stiffness : {1e14, 1e20, 1e24}) {
+        const CellResult cell =
+            solve_cell(scene::Scene(hunt_crossley_job(1.0, stiffness, 3.53677651315323, 2.2, 0)), 0, 0);
+        EXPECT_EQ(cell.regime, Regime::periodic) << stiffness;
+        EXPECT_NEAR(cell.multiplier, 0.482956, 1e-3) << stiffness;
+    }
+    const CellResult cell =
+        solve_cell(scene::Scene(hunt_crossley_job(1.0, 1e30, 3.53677651315323, 2.2, 0)), 0, 0);
+    EXPECT_EQ(cell.status, Status::solver_failed);  // beyond what double precision tells
 }
 
 TEST(AutomaticEngine, DoesWhatItIsTold) {

@@ -103,7 +103,8 @@ TEST_P(FaultyEngine, IsSeen) {
             EXPECT_TRUE(std::isnan(cell_result.peak_force));
             EXPECT_TRUE(std::isnan(cell_result.impact_rate));
         } else {  // the cycle was not needed, or belonged to an orbit attempt while another one succeeded
-            EXPECT_LT(broken, last);
+            const bool is_told = cell_result.status == Status::imprecise;  // the last one checks the force
+            EXPECT_TRUE(broken < last || is_told);
             EXPECT_EQ(cell_result.regime, sound.regime);
             EXPECT_EQ(cell_result.impacts, sound.impacts);
             EXPECT_EQ(cell_result.period, sound.period);

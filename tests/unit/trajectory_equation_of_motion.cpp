@@ -22,23 +22,24 @@ TEST(StepSearch, FindsHopsAndMaximaBetweenSamples) {
         };
     };
     const auto high = hop(0.9999, 0.3);
-    const auto found = first_rise(high(0), high(1), high);
+    int looks = integrators::most_looks;
+    const auto found = first_rise(high(0), high(1), high, looks);
     ASSERT_TRUE(found);
     const double rise = 0.3 - std::acos(0.9999);
     EXPECT_LE(found->below.time, rise);
     EXPECT_GE(found->above.time, rise);
     EXPECT_LT(found->above.time, 0.3 + std::acos(0.9999));
     const auto low = hop(1 + 1e-9, 0.3);
-    EXPECT_FALSE(first_rise(low(0), low(1), low));
+    EXPECT_FALSE(first_rise(low(0), low(1), low, looks));
     // leaving the surface downwards is not a rise, returning is
     auto leaving = [](double t) { return Sample{t, t * (t - 0.6), 2 * t - 0.6, 2}; };
-    EXPECT_FALSE(first_rise(leaving(0), leaving(0.5), leaving));
-    const auto back = first_rise(leaving(0), leaving(1), leaving);
+    EXPECT_FALSE(first_rise(leaving(0), leaving(0.5), leaving, looks));
+    const auto back = first_rise(leaving(0), leaving(1), leaving, looks);
     ASSERT_TRUE(back);
     EXPECT_LE(back->below.time, 0.6);
     EXPECT_GE(back->above.time, 0.6);
-    EXPECT_NEAR(largest_between(high(0), high(1), high, 1e-12, 0), 1e-4, 1e-12);
-    EXPECT_EQ(largest_between(high(0), high(1), high, 1e-12, 0.5), 0.5);
+    EXPECT_NEAR(largest_between(high(0), high(1), high, 1e-12, 0, looks), 1e-4, 1e-12);
+    EXPECT_EQ(largest_between(high(0), high(1), high, 1e-12, 0.5, looks), 0.5);
 }
 
 TEST(EquationOfMotion, CubicFormsDifferAsComputedByHand) {
