@@ -66,7 +66,9 @@ void describe(Walker& table, HuntCrossley& stop) {
                  stop.stiffness_n_per_m_pow_n,
                  positive("a contact stiffness must be positive: the stop pushes the hammer back"));
     table.number({"exponent", "exponent n, 1.5 for Hertz's contact of spheres [1]"}, stop.exponent,
-                 from_to(1.0, 10.0, "below 1 the stop would be infinitely stiff at first touch"));
+                 from_to(1.0, 10.0,
+                         "below 1 the stop would be infinitely stiff at first touch, above 10 it would hardly "
+                         "push until deep inside"));
     table.number({"dissipation_s_per_m", "dissipation D [s/m]", "0.3"}, stop.dissipation_s_per_m,
                  not_negative("a dissipation must not be negative: a stop takes energy and gives none"));
 }

@@ -226,8 +226,8 @@ class Search {
             is_stable(again)) {
             orbit = std::move(again);
             measured = sharp;
-            const double change = observation.totals().peak_force() / force - 1;
-            co_return least_gain * std::abs(change);
+            const double off = least_gain * std::abs(observation.totals().peak_force() / force - 1);
+            co_return off;
         }
         map_.set_tolerance(tolerance);
         orbit.error = 1;

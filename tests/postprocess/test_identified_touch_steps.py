@@ -39,7 +39,8 @@ def told(hammer, recorded, names, noise, seed):
                         stop_ratio=hammer.damping / 2 / np.sqrt(hammer.stiffness * hammer.mass))
     found = solve.solved(problem, value)
     moved = problem.motion(found.value, 0)
-    return touch_steps.told(problem, found.value, 0, moved, np.searchsorted(found.problem.legs[0].samples.time, moved.touches)), problem.step
+    places = np.searchsorted(found.problem.legs[0].samples.time, moved.touches)
+    return touch_steps.told(problem, found.value, 0, moved, {name: places for name in names}), problem.step
 
 
 @pytest.mark.parametrize("names", [("force",), ("acceleration",)])

@@ -489,7 +489,12 @@ def test_a_single_place_may_not_hold(tmp_path, run_program):
     assert re.search(r"it falls short by [\d.]+ %: the place, computed again, has [\d.]+ N, at", run_program("operating_point", path, "--verify")[1])
     with PeterkaFile(path) as file:
         place, found = Place(0, 0, 200.0, 200.0, (1, 1), 1.0), verify.Verified(1, 0, 200.0 * (1 - 1e-15), (0.5, 2.0))
-        assert verify.text_of(file, place, found, Quantity("peak_force", "peak force", 1.0, "N")).endswith("has 200 N (+0 %)")
+        force = Quantity("peak_force", "peak force", 1.0, "N")
+        assert verify.text_of(file, place, found, force).endswith("has 200 N (+0 %)")
+        for starts, words in ((0.9, "another regime, or this one from fewer than 90 % of the starts"), ("any", "another regime, or more than one"),
+                              ("job", "another regime")):
+            missed = verify.Verified(621, 1, 200.0, (0.5, 2.0), starts)
+            assert verify.text_of(file, place, missed, force) == f"it doesn't hold: 1 of 621 cells of the finer box have {words}"
 
 
 @pytest.mark.parametrize("name, head", [

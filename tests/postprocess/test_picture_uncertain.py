@@ -9,6 +9,7 @@ import pytest
 from matplotlib.colors import to_hex, to_rgb
 from peterka.errors import PeterkaFileError
 from peterka.maps import uncertain_map
+from peterka.maps.uncertain_map import rounded_up
 from peterka.maps.map_file import PeterkaFile
 from peterka.maps.outcomes import draws_of, is_class
 from peterka.pictures import open_file, pictures_of
@@ -87,8 +88,13 @@ def test_motions_that_a_file_does_not_keep_are_told(tmp_path):
     with PeterkaFile(write_uncertain(tmp_path / "a.h5")) as file:
         told = {name: title_of(uncertain_map.draw_probability(file, probability=name)) for name in ("1/1", "3/2", "impacts")}
     assert "outcomes, the probability may" not in told["1/1"]
-    assert f"where a cell has more than 4 outcomes, the probability may be up to {np.minimum(others, least).max():.2g} higher" in told["3/2"]
-    assert f"the probability may be up to {np.minimum(others, 3 * least).max():.2g} lower" in told["impacts"]  # no impact is one of four, and kept
+    assert f"where a cell has more than 4 outcomes, the probability may be up to {rounded_up(np.minimum(others, least).max())} higher" in told["3/2"]
+    assert f"the probability may be up to {rounded_up(np.minimum(others, 3 * least).max())} lower" in told["impacts"]  # no impact is one of four, and kept
+
+
+@pytest.mark.parametrize("bound, words", [(0.125, "0.13"), (0.12, "0.12"), (1 / 32, "0.032"), (0.1 + 0.2, "0.3"), (1.0, "1"), (0.996, "1"), (2e-5, "2e-05")])
+def test_bounds_are_rounded_up(bound, words):
+    assert rounded_up(bound) == words
 
 
 def test_the_commonest_outcome_has_its_colour_the_paler_the_less_likely(tmp_path):

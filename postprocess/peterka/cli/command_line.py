@@ -11,10 +11,11 @@ import time
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import IO, Any, NoReturn
+from typing import IO, Any, ClassVar, NoReturn
 
 from matplotlib.figure import Figure
 
+from ..errors import PeterkaFileError
 from ..files.harmless import harmless
 from ..files.opened import OpenedFile
 from ..plotting import axes
@@ -30,6 +31,7 @@ class OneLineParser(argparse.ArgumentParser):
 
     def __init__(self, description: str | None) -> None:
         super().__init__(description=_as_installed(description), formatter_class=argparse.RawDescriptionHelpFormatter)
+        _Output.written.clear()
 
     def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:
         """Takes "--zoom -2,1" for "--zoom=-2,1": argparse would take -2,1 for an option."""
@@ -84,6 +86,7 @@ def read_formats(text: str) -> list[str]:
 
 class _Output:
     lost = False  # whether any output could not be printed
+    written: ClassVar[set[Path]] = set()
 
 
 def tell_if_unfinished(file: OpenedFile) -> None:
@@ -159,10 +162,18 @@ def complain_of_folder(folder: Path, error: OSError) -> None:
     complain(f"cannot write into {folder}: {error.strerror or error}")
 
 
+def claim(path: Path) -> Path:
+    """The path of an output; raises PeterkaFileError where this call has written one there already, which a second would replace."""
+    if path in _Output.written:
+        raise PeterkaFileError(f"{path} is written already, of another of these files; give the two in calls of their own, each with its --output-dir")
+    _Output.written.add(path)
+    return path
+
+
 def save_all(figure: Figure, folder: Path, name: str, formats: Iterable[str]) -> None:
     """Writes the picture in each format into a folder, creating it if missing, and prints the paths."""
     folder.mkdir(parents=True, exist_ok=True)
     for suffix in formats:
-        picture = folder / f"{name}.{suffix}"
+        picture = claim(folder / f"{name}.{suffix}")
         axes.save(figure, picture)
         tell(picture)

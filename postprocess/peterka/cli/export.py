@@ -18,7 +18,7 @@ from ..export.formats import export, left_out_in_words, read_formats
 from ..errors import PeterkaFileError
 from ..pictures import open_file
 from .command_line import (
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, tell, tell_if_unfinished,
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, claim, complain, complain_of_folder, exit_code, tell, tell_if_unfinished,
 )
 
 
@@ -34,7 +34,7 @@ def _export() -> int:
         try:
             with open_file(path) as file:
                 tell_if_unfinished(file)
-                for written in export(file, arguments.output_dir, arguments.formats):
+                for written in export(file, arguments.output_dir, arguments.formats, claim):
                     tell(written)
                 for line in left_out_in_words(file):
                     tell(line)

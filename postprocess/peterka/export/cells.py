@@ -21,6 +21,8 @@ from ..sweeps.sweep_file import SweepFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
+NO_COUNT = -1
+OF_FOLLOWED = ("status", "engine")  # what a cell that was filled doesn't have
 PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # as all of the layout's: nothing that a table or a program would take for more
 SUFFIXES = {"impact_speed": "m_s", "impact_speed_lower": "m_s", "impact_speed_upper": "m_s", "impulse": "n_s", "contact_time": "s",
             "max_displacement": "mm", "critical_kick": "m_s", "critical_kick_tried": "m_s", "critical_kick_lower": "m_s", "speed_q05": "m_s", "speed_q50": "m_s", "speed_q95": "m_s"}
@@ -40,16 +42,19 @@ class Field:
     whole: bool  # integer-valued
     words: Mapping[int, str] = field(default_factory=dict)  # of a table: what the numbers of a dataset of flags mean
     rate: Rate | None = None
+    filled_in: str | None = None  # the dataset that is 0 in cells that a refined map filled, where these have none
 
     @property
     def datasets(self) -> tuple[str, ...]:
         """Those that it is made of."""
-        return self.rate.datasets if self.rate else (self.dataset,)
+        return self.rate.datasets if self.rate else (self.dataset, *([self.filled_in] if self.filled_in else []))
 
     def values(self, cells: Mapping[str, NDArray[Any]], rows: slice | int) -> NDArray[Any]:
         """From {dataset: array} of these rows; -1 of whole numbers and NaN of others mean no value."""
         if self.rate:
             return self.rate.of(cells, rows)
+        if self.filled_in:
+            return np.where(cells[self.filled_in] == 0, NO_COUNT, cells[self.dataset])
         return cells[self.dataset] if self.whole else cells[self.dataset] * self.factor
 
 
@@ -91,7 +96,8 @@ def fields_of(file: PeterkaFile | SweepFile) -> list[Field]:
         else:
             suffix = SUFFIXES.get(name)
             found.append(Field(name, f"{name}_{suffix}" if suffix else name, MILLI.get(name, 1.0), kind in INTEGER,
-                               _words(file, name) if kind in INTEGER else {}))
+                               _words(file, name) if kind in INTEGER else {},
+                               filled_in="computed" if name in OF_FOLLOWED and file.data.has("computed") else None))
     found += [Field(rate.elasticity, rate.column, 1.0, False, rate=rate) for rate in rates_of(file, _coordinates(file))]
     taken = {name for side in sides_of(file) for name in (side.name, side.ratio_name)} | {"title"}
     taken |= {field.name for field in found if field.name != field.dataset}

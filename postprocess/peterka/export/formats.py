@@ -3,7 +3,7 @@ and the tables of a trace as CSV."""
 
 import argparse
 import csv
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +17,11 @@ from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
 from ..sweeps.sweep_file import SweepFile
 from ..traces.trace_file import TraceFile
-from .cells import Field, Side, bands, fields_of, left_out, sides_of
+from .cells import NO_COUNT, OF_FOLLOWED, Field, Side, bands, fields_of, left_out, sides_of
 from .traces import TraceTable, tables_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 MOST_NAMED = 12
-OF_A_RUN = ("status", "engine")  # what filled cells don't have
 
 
 def write_csv(file: PeterkaFile, path: Path) -> None:
@@ -36,8 +35,7 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
         for first, band in bands(file, fields):
             for row in range(len(band[fields[0].name])):
                 done = band["regime"][row] != NOT_COMPUTED
-                followed = done & (band["computed"][row] != 0) if "computed" in band else done
-                values = [_texts(field, band[field.name][row], followed if field.dataset in OF_A_RUN else done) for field in fields]
+                values = [_texts(field, band[field.name][row], done) for field in fields]
                 for column, cells in enumerate(zip(*values)):
                     places = {0: first + row, 1: column}
                     table.writerow([*(_number(numbers[places[which]]) for side, which in sides
@@ -113,9 +111,9 @@ def read_formats(text: str) -> list[str]:
     return formats
 
 
-def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[Path]:
+def export(file: OpenedFile, folder: Path, formats: Iterable[str], claim: Callable[[Path], Path] = lambda path: path) -> Iterator[Path]:
     """Writes an open map, basin or coarse map of curves in each format, and a sweep or a trace as CSV, into a folder, creating it if
-    missing; yields the paths written."""
+    missing; yields the paths written. `claim` is asked for each before it is written, and may refuse."""
     formats = list(formats)
     if isinstance(file, (SweepFile, TraceFile)):
         what = "sweep, whose points" if isinstance(file, SweepFile) else "trace, whose samples"
@@ -127,7 +125,7 @@ def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[P
     folder.mkdir(parents=True, exist_ok=True)
 
     def named(end: str) -> Path:
-        return folder / f"{file.path.stem}{end}"
+        return claim(folder / f"{file.path.stem}{end}")
 
     if isinstance(file, TraceFile):
         for table in tables_of(file):
@@ -159,12 +157,12 @@ def _once(side: Side) -> list[Reals]:
 
 
 def _texts(field: Field, values: NDArray[Any], done: Mask) -> list[str]:
-    """`done`: of the cells that are computed; counts of the others are no numbers."""
+    """`done`: of the cells that are computed; counts of the others are no numbers, and no status is theirs."""
     if field.words:
-        told = done if field.dataset in OF_A_RUN else np.ones_like(done)
-        return [field.words.get(value, str(value)) if is_told else "" for value, is_told in zip(values.tolist(), told)]
+        told = done if field.dataset in OF_FOLLOWED else np.ones_like(done)
+        return ["" if value == NO_COUNT or not is_told else field.words.get(value, str(value)) for value, is_told in zip(values.tolist(), told)]
     if field.whole:
-        return [str(value) if is_done else "" for value, is_done in zip(values.tolist(), done)]
+        return [str(value) if is_done and value != NO_COUNT else "" for value, is_done in zip(values.tolist(), done)]
     return [_number(value) for value in values.tolist()]
 
 

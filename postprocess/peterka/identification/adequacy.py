@@ -85,10 +85,11 @@ def _impacts_left(found: Solved, alone: Solved) -> tuple[float, float]:
     count = 0
     for number, leg in enumerate(alone.problem.legs):
         settled, time = settle(alone.problem, alone.value, number), leg.samples.time
-        far = settled.used & np.all([np.abs(time - touch) > problem.step for touch in moved.touches], axis=0)
-        model = problem.as_recorded(found.value, 0, moved.signals(time, problem.names))
+        model = problem.recorded(found.value, 0, moved, time)
         single = alone.problem.left(alone.value, number, settled.places)[0]
         for name in alone.problem.names:
+            touches = moved.touches + problem.delay(found.value, name)
+            far = settled.used[name] & np.all([np.abs(time - touch) > problem.step for touch in touches], axis=0)
             floor = LEAST_LEFT * problem.ranges[name]
             whole += float(np.sum((leg.samples.values[name] - model[name])[far]**2 / floor**2))
             itself += float(np.sum(single[name][far]**2 / floor**2)) + far.sum()
@@ -122,7 +123,7 @@ def likeness_of(found: Solved) -> float:
         for number in range(len(problem.legs)):
             settled = found.settled[number]
             left = problem.left(found.value, number, settled.places)[0][name]
-            pieces.append(left[settled.contact & settled.of(name)])
+            pieces.append(left[settled.contact[name] & settled.of(name)])
         square = sum(float(np.sum(left**2)) for left in pieces)
         count = sum(len(left) for left in pieces)
         if count > 20 and square > 0:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import PeterkaFileError
 from .adequacy import more_left_in_contact, refuse_contradicting
+from .channels import calmed, with_channels
 from .first_guess import Guess, look
 from .fit import Fit, finished, telling
 from .problem import SLOW, Problem
@@ -30,13 +31,14 @@ SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and stand
 def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | None = None) -> Fit:
     """The Fit of the impacts of a Recording, whatever drives the hammer between them; mass [kg]; `given`: "omega" [rad/s]
     and "damping_ratio" of the springs if known; otherwise the errors allow for springs as fast as the rate of impacts."""
-    given, guess = dict(given or {}), look(recording)
+    calm = calmed(recording)
+    given, guess = dict(given or {}), look(recording, calm)
     if not guess.sharp:
         raise PeterkaFileError(f"{recording.path} has neither force nor acceleration, without which single impacts can't be told")
     if guess.contact < SEEN:
         raise PeterkaFileError(f"{recording.path} is too coarse to see the contact: the hardest impact has {guess.contact} samples, and {SEEN} "
                           f"are needed at least; record at {2e-3 * SEEN / guess.contact / recording.step:.3g} kHz or more")
-    refuse_contradicting(recording, guess, mass)
+    refuse_contradicting(calm, guess, mass)
     begun = begin(recording, guess, mass)
     used, unused, weak = [], [], 0
     for impact in begun.impacts:
@@ -61,7 +63,8 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
         unused.append(f"{len(used) - len(chosen)} impacts aren't used: {MOST}, evenly out of all, are enough")
     problem = _problem(recording, guess, begun, chosen, mass, given)
     first = start(problem, stop_ratio=begun.stop_ratio, damping_ratio=problem.fixed.get("damping_ratio", SPRINGS["damping_ratio"][0]))
-    return _by_spring_and_dashpot(telling(finished(recording, guess, solved(problem, first), chosen, unused)))
+    best = with_channels([solved(problem, first)])[0]
+    return _by_spring_and_dashpot(telling(finished(recording, guess, best, chosen, unused)))
 
 
 def _by_spring_and_dashpot(fit: Fit) -> Fit:

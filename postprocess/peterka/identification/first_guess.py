@@ -62,9 +62,9 @@ class Guess:
         return pulse.last - pulse.first
 
 
-def look(recording: Recording) -> Guess:
-    """The Guess from a recording. Raises PeterkaFileError if it shows no measurable impact."""
-    signals = recording.signals
+def look(recording: Recording, calm: Recording | None = None) -> Guess:
+    """The Guess from a recording; `calm`: the same with less drift and hum, to find impacts by. Raises PeterkaFileError if it shows no measurable impact."""
+    signals = (calm or recording).signals
     offsets = {name: float(np.nanmedian(_some(values))) for name, values in signals.items()}
     noise = {name: noise_of(values) for name, values in signals.items()}
     ranges = {name: _range(values) for name, values in signals.items()}
@@ -79,12 +79,12 @@ def look(recording: Recording) -> Guess:
     if not pulses:
         raise PeterkaFileError(f"{recording.path} shows no impact: its {sharp} never stands out of the rest by "
                           f"{OVER_NOISE} times the noise")
-    guess = Guess({}, offsets, noise, ranges, {name: _resolution(values) for name, values in signals.items()}, sharp, pulses)
+    guess = Guess({}, offsets, noise, ranges, {name: _resolution(values) for name, values in recording.signals.items()}, sharp, pulses)
     hardest = pulses[guess.hardest]
     if sharp is None:
         guess.signs["displacement"] = sign
     else:
-        _refuse_clipped(recording, sharp, signals[sharp], hardest)
+        _refuse_clipped(recording, sharp, recording.signals[sharp], hardest)
         guess.signs[sharp] = sign if sharp == "force" else -sign  # the stop pushes the hammer back
         if "acceleration" in signals and sharp == "force":
             guess.signs["acceleration"] = _sign_at(signals["acceleration"], offsets["acceleration"], hardest, turn=-1)

@@ -47,12 +47,12 @@ def ringing(found: Solved) -> float:
     near = np.zeros(len(time), dtype=bool)
     for begin, end in moved.contacts():
         near |= (time > begin - BESIDE * step) & (time < end + BESIDE * step)
-    beside = near & ~settled.contact & settled.known
-    for touch in moved.touches:
-        beside &= np.abs(time - touch) > AT_TOUCH * step
     singles, means = problem.left(found.value, 0, settled.places, moved)
     chance = 1.0
     for name in set(SHARP) & set(problem.names):
+        beside = near & ~settled.contact[name] & settled.known
+        for touch in moved.touches + problem.delay(found.value, name):
+            beside &= np.abs(time - touch) > AT_TOUCH * step
         far = np.concatenate([singles[name][~near & settled.known], (means[name] * np.sqrt(leg.samples.counts))[settled.known_means]])
         if len(far) and beside.any():
             ratio = np.mean(singles[name][beside]**2) / max(float(np.mean(far**2)), 1e-300)

@@ -30,22 +30,22 @@ WHITE, FAR = 0.01, 0.01  # standard deviations, and largest change of a paramete
 
 @dataclass(frozen=True)
 class Settled:
-    """State of a leg: `touches` [s]; `places`: index of the first sample in each contact; `used`: mask of the single samples
-    that are not nearest to a touch; `known` and `known_means`: masks of the part before the first excluded impact, without what
-    the problem leaves unseen; `contact`: mask of the single samples in contact; `jumps` {index of a contact: middle [s] of the step in which its touch lies}, where
+    """State of a leg: `touches` [s]; of each signal, as delays may differ, `places`: index of the first sample in each contact, `used`: mask of the
+    single samples that are not nearest to a touch, `contact`: mask of the single samples in contact; `known` and `known_means`: masks of the part
+    before the first excluded impact, without what the problem leaves unseen; `jumps` {index of a contact: middle [s] of the step in which its touch lies}, where
     samples tell it."""
 
     touches: Reals
-    places: Integers
-    used: Mask
+    places: dict[str, Integers]
+    used: dict[str, Mask]
     known: Mask
     known_means: Mask
-    contact: Mask
+    contact: dict[str, Mask]
     jumps: dict[int, float]
 
     def of(self, name: str) -> Mask:
         """Mask of the single samples of this signal that have weight."""
-        return self.used & self.known if name in SHARP else self.known
+        return self.used[name] & self.known if name in SHARP else self.known
 
 
 @dataclass(frozen=True)
@@ -112,11 +112,27 @@ def coarse(problem: Problem) -> Problem:
 
 def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
     """The Settled of a leg for these parameters."""
-    samples, moved = problem.legs[number].samples, problem.motion(value, number)
-    time, touches = samples.time, moved.touches
+    samples, moved, delays = problem.legs[number].samples, problem.motion(value, number), problem.by_delay(value)
+    places, used, contact = {}, {}, {}
+    for late, names in delays.items():
+        one = _contacts_seen(problem, samples.time - late, moved)
+        for name in names:
+            places[name], used[name], contact[name] = one
+    until = problem.known_until(moved, number) + min(0.0, *delays)
+    known, known_means = samples.time < until, samples.ends < until
+    for first, last in problem.unseen:
+        first, last = first + min(0.0, *delays), last + max(0.0, *delays)
+        known &= (samples.time < first) | (samples.time > last)
+        known_means &= (samples.ends < first) | (samples.begins > last)
+    jumps = {} if problem.blind or problem.unseen else touch_steps.told(problem, value, number, moved, places)
+    return Settled(moved.touches, places, used, known, known_means, contact, jumps)
+
+
+def _contacts_seen(problem: Problem, time: Reals, moved: Motion) -> tuple[Integers, Mask, Mask]:
+    """(places, used, contact) as in Settled, of a signal that is sampled at these times [s]."""
     used, contact = np.ones(len(time), dtype=bool), np.zeros(len(time), dtype=bool)
-    places = np.searchsorted(time, touches)
-    for touch, place in zip(touches, places):
+    places = np.searchsorted(time, moved.touches)
+    for touch, place in zip(moved.touches, places):
         near = [at for at in (place - 1, place) if 0 <= at < len(time)]
         if near:
             nearest = min(near, key=lambda at: float(abs(time[at] - touch)))
@@ -124,13 +140,7 @@ def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
         used &= np.abs(time - touch) > max(problem.blind, problem.step * (problem.scale["contact"] > MANY * problem.step))
     for begin, end in moved.contacts():
         contact |= (time > begin) & (time < end)
-    until = problem.known_until(moved, number)
-    known, known_means = time < until, samples.ends < until
-    for first, last in problem.unseen:
-        known &= (time < first) | (time > last)
-        known_means &= (samples.ends < first) | (samples.begins > last)
-    jumps = {} if problem.blind or problem.unseen else touch_steps.told(problem, value, number, moved, places)
-    return Settled(touches, places, used, known, known_means, contact, jumps)
+    return places, used, contact
 
 
 def _together(problem: Problem, settled: Sequence[Settled]) -> float:
@@ -166,8 +176,8 @@ def _parts(found: Solved, number: int, name: str) -> tuple[Reals, Reals]:
     settled, counts = found.settled[number], found.problem.legs[number].samples.counts
     singles, means = found.problem.left(found.value, number, settled.places)
     fine, known = settled.of(name), settled.known_means
-    return (np.concatenate([singles[name][fine & ~settled.contact], (means[name] * np.sqrt(counts))[known]]),
-            singles[name][fine & settled.contact])
+    return (np.concatenate([singles[name][fine & ~settled.contact[name]], (means[name] * np.sqrt(counts))[known]]),
+            singles[name][fine & settled.contact[name]])
 
 
 def _level(left: Reals) -> float:
@@ -191,7 +201,7 @@ def _leg(problem: Problem, value: dict[str, float], number: int, settled: Settle
         return np.full(rows, NO_RIG)
     counts, found = np.sqrt(problem.legs[number].samples.counts), []
     for name in problem.names:
-        noise = problem.noise[name] * np.where(settled.contact, problem.extra_noise.get(name, 1.0), 1.0)
+        noise = problem.noise[name] * np.where(settled.contact[name], problem.extra_noise.get(name, 1.0), 1.0)
         found += [(singles[name] / noise)[settled.of(name)], (means[name] * counts / problem.noise[name])[settled.known_means]]
     touches = moved.touches
     found.append(np.array([(touches[at] - middle) / off if at < len(touches) else NO_JUMP for at, middle in settled.jumps.items()]))

@@ -21,17 +21,19 @@ SURE = 16.0  # -2 ln likelihood above that of the best step: noise prefers a wro
 RIGHT = 4.0  # mean square in standard deviations that noise doesn't exceed: with more left, errors are larger in this ratio
 
 
-def told(problem: Problem, value: Mapping[str, float], number: int, moved: Motion, places: Integers) -> dict[int, float]:
-    """{index of a contact: middle [s] of the step in which its touch lies}, where samples tell. `places`: index of the first sample in each contact."""
-    name = next((name for name in SHARP if name in problem.names), None)
+def told(problem: Problem, value: Mapping[str, float], number: int, moved: Motion, places: Mapping[str, Integers]) -> dict[int, float]:
+    """{index of a contact: middle [s] of the step in which its touch lies}, where samples tell. `places` {signal: index of the first sample in each contact}."""
+    name = next((name for name in SHARP if name in problem.names), None)  # the one without a delay
     samples = problem.legs[number].samples
-    at = [index for index, place in enumerate(places) if REACH <= place <= len(samples.time) - REACH]
-    if name is None or not at:
+    if name is None:
         return {}
-    near = places[at][:, None] + np.arange(-REACH, REACH)
+    at = [index for index, place in enumerate(places[name]) if REACH <= place <= len(samples.time) - REACH]
+    if not at:
+        return {}
+    near = places[name][at][:, None] + np.arange(-REACH, REACH)
     times, step = samples.time[near], problem.step
     model = _models(problem, value, number, moved, name, moved.touches[at], times)
-    seen = samples.values[name][near] - problem.as_recorded(value, number, {other: np.zeros(1) for other in problem.names})[name]
+    seen = samples.values[name][near] - problem.base(value, number, name, times)
     left = seen[:, None, None, :] - model
     error = np.maximum(problem.noise[name] * problem.extra_noise.get(name, 1.0), ROUGH * np.ptp(model, axis=(1, 2, 3)))
     costs = np.min(np.sum(left**2, axis=3), axis=2)

@@ -109,7 +109,7 @@ def _unlikely(one: Solved, until: float, noise: Mapping[str, float], more: Mappi
     singles, means = one.problem.left(one.value, 0, settled.places)
     total = 0.0
     for name in one.problem.names:
-        level = np.where(settled.contact, more[name], 1.0)
+        level = np.where(settled.contact[name], more[name], 1.0)
         inside = settled.of(name) & (samples.time < until)
         among = settled.known_means & (samples.ends < until)
         # one for each sample: two fits leave out different ones near their touches

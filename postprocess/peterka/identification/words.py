@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .channels import channel_words
 from .fit import Fit
 from .flights_alone import contact_samples
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
@@ -46,7 +47,7 @@ def recording_lines(fit: Fit) -> list[str]:
     signals = " and ".join(recording.signals)
     lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
              f"impact{'s' * (impacts != 1)}" + _missing(recording)]
-    lines += [f"  {reason}" for reason in (*fit.unused, *fit.doubts)]
+    lines += [f"  {reason}" for reason in (*fit.unused, *channel_words(fit.solved, fit.likeness), *fit.doubts)]
     if fit.solved.problem.unseen:
         lines.append(f"  contacts last for about {contact_samples(fit.solved):.2g} samples, which a logger's filter changes: they aren't used, and "
                      "the flights tell the contact time")

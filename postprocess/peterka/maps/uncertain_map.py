@@ -160,8 +160,14 @@ def _has_others(file: PeterkaFile, wanted: str) -> list[str]:
     if not file.data.has("outcome_others"):
         return []
     most = max(_may_be_off(wanted, band) for _, band in file.bands(["regime", "outcome_others", *OUTCOMES]))
-    return [f"where a cell has more than {file.outcome_slots} outcomes, the probability may be up to {most:.2g} "
+    return [f"where a cell has more than {file.outcome_slots} outcomes, the probability may be up to {rounded_up(most)} "
             f"{'lower' if wanted == IMPACTS else 'higher'}"] if most > 0 else []
+
+
+def rounded_up(most: float) -> str:
+    """A bound above 0 with two digits, no smaller than it is."""
+    step = 10.0 ** (np.floor(np.log10(most)) - 1)
+    return f"{np.ceil(most / step * (1 - 1e-12)) * step:.2g}"
 
 
 def _may_be_off(wanted: str, band: Mapping[str, NDArray[Any]]) -> float:

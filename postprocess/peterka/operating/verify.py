@@ -13,7 +13,7 @@ import numpy as np
 
 from ..files.whole_file import write_text
 from ..maps.map_file import Axis, PeterkaFile
-from .admitted import Quantity, admitted, quantity_of, read_code
+from .admitted import ANY, JOB, Quantity, admitted, quantity_of, read_code
 from .drift import Reach
 from .places import Place
 from .words import on_axis
@@ -32,12 +32,14 @@ class NotVerified(Exception):
 @dataclass(frozen=True)
 class Verified:
     """`cells` of the finer box; the number of them with `another` regime or none from the admitted starts; the smallest
-    value of the others and its place (row, column) [in the unit of the Quantity, numbers of the map's axes]; NaN if none has a value."""
+    value of the others and its place (row, column) [in the unit of the Quantity, numbers of the map's axes]; NaN if none has a value; the
+    admitted `starts`."""
 
     cells: int
     another: int
     worst: float
     at: tuple[float, float]
+    starts: str | float = JOB
 
     def holds(self, place: Place) -> bool:
         """Whether a Place is as good here as predicted, up to rounding."""
@@ -59,10 +61,10 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
         values = np.where(same, found.value, np.nan)
         another = int(np.sum(~np.isfinite(values)))
         if another == values.size:
-            return Verified(values.size, another, np.nan, (np.nan, np.nan))
+            return Verified(values.size, another, np.nan, (np.nan, np.nan), starts)
         row, column = (int(n) for n in np.unravel_index(np.nanargmin(values), values.shape))
         return Verified(values.size, another, float(values[row, column]), (_in_numbers_of(file.rows, within.rows, row), _in_numbers_of(
-            file.columns, within.columns, column)))
+            file.columns, within.columns, column)), starts)
 
 
 def compute(file: PeterkaFile, sizes: Mapping[str, tuple[float, float, int]], changes: Mapping[str, object], output: Path,
@@ -95,7 +97,9 @@ def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity
     alone = "the place, computed again," if found.cells == 1 else ""
     if found.another:
         have = f"{alone} has" if alone else f"{found.another} of {found.cells} cells of the finer box have"
-        return f"it doesn't hold: {have} another regime, or more than one"
+        or_else = {ANY: ", or more than one", JOB: ""}.get(found.starts) if isinstance(found.starts, str) else (
+            f", or this one from fewer than {100 * found.starts:.4g} % of the starts")
+        return f"it doesn't hold: {have} another regime{or_else}"
     share = round(100 * (found.worst / place.worst - 1), 4) + 0.0  # no -0
     if found.holds(place):
         where = "" if alone else f" in all {found.cells} cells of the finer box"

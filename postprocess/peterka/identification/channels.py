@@ -1,0 +1,185 @@
+"""Errors of a recording's channels that are no error of the rig: fitted with it where the recording shows them.
+
+A channel may come later than another, as those of a multiplexed logger or of a sensor with a filter of its own do; its offset may
+drift; and it may hum with the mains. Delays are fitted wherever there are two signals, since even a part of a sample would move the numbers
+by more than their errors; drift and hum where they are seen. The model of a signal s is then, with the offset b, the range R and the recording's length T,
+
+    s(t - delay) + b + R (drift t/T + hum_cos cos(2 pi f t) + hum_sin sin(2 pi f t)),   f near 50 or 60 Hz
+
+Delays are those against the first of force, acceleration and displacement that was recorded.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..arrays import Reals
+from .problem import SHARP, Problem
+from .recording import Recording
+from .solve import Solved, solved
+
+MAINS = (50.0, 60.0)  # Hz
+MAINS_ERROR = 0.1  # Hz
+SURE, MAYBE = 3.0, 2.0  # standard errors from which drift and hum count as seen, and from which they are looked at closely
+MOST_LOOKED_AT, MOST_CALMED = 200_000, 2_000_000  # samples; of longer recordings, drift and hum are left in when impacts are looked for
+CALM_ROUNDS, STANDS_OUT = 8, 4.0  # standard deviations
+TRIED = 2  # fits, the best ones
+CLOSE = 4.0  # times the sum of squares per residual of the best: fits beyond are of other minima and aren't solved again
+NAMES = (*SHARP, "displacement")
+
+
+def calmed(recording: Recording) -> Recording:
+    """The same with the force's drift and hum taken away, as it shows them between impacts, where it would be constant: to find impacts by."""
+    if "force" not in recording.signals or recording.count > MOST_CALMED:
+        return recording
+    values = recording.signals["force"]
+    some = np.arange(0, recording.count, max(1, recording.count // MOST_LOOKED_AT))
+    seen = np.asarray(values[some], dtype=float)
+    best = min((_calm(some / recording.count, recording.step * some, seen, mains) for mains in MAINS), key=lambda one: one[1])
+    answer, rest, count, mains = best
+    is_seen = np.hypot(*answer[2:]) > SURE * rest * np.sqrt(2 / count) or abs(answer[1]) > SURE * rest * np.sqrt(12 / count)
+    if not rest > 0 or not is_seen:
+        return recording
+    every = np.arange(recording.count)
+    shown = _waves(every / recording.count, recording.step * every, mains)[:, 1:] @ answer[1:]
+    return replace(recording, signals={**recording.signals, "force": values - shown})
+
+
+def _calm(share: Reals, time: Reals, seen: Reals, mains: float) -> tuple[Reals, float, int, float]:
+    """(offset, drift, cosine and sine at this frequency [Hz], root mean square of the rest, its samples, the frequency), without samples that stand
+    out, as those of impacts do."""
+    matrix, kept = _waves(share, time, mains), np.isfinite(seen)
+    answer, rest = np.zeros(4), np.inf
+    for _ in range(CALM_ROUNDS):
+        answer = np.linalg.lstsq(matrix[kept], seen[kept], rcond=None)[0]
+        left = np.abs(seen - matrix @ answer)
+        rest = 1.4826 * float(np.nanmedian(left))
+        if not rest > 0:  # a force of exactly 0 between impacts
+            break
+        kept = left < STANDS_OUT * rest
+    return answer, rest, int(kept.sum()), mains
+
+
+def _waves(share: Reals, time: Reals, mains: float) -> Reals:
+    angle = 2 * np.pi * mains * time
+    return np.transpose([np.ones(len(time)), share - 0.5, np.cos(angle), np.sin(angle)])
+
+
+def with_channels(found: Sequence[Solved]) -> list[Solved]:
+    """The same fits of a recording, best first, with the errors of channels that the best of them show."""
+    shown = [one for one in (_shown(other) for other in found[:TRIED]) if one is not None]
+    if not shown:
+        return list(found)
+    best = min(shown, key=_per_row)
+    others = [one for one in (_solved(_like(other.problem, best.problem), other.value) for other in found
+                              if _per_row(other) < CLOSE * _per_row(found[0])) if one is not None]
+    return sorted([best, *others], key=_per_row)
+
+
+def channel_words(found: Solved, likeness: float) -> list[str]:
+    """The errors of channels of a fit, in words."""
+    problem, wide = found.problem, float(np.sqrt((1 + likeness) / (1 - likeness)))
+    lines = []
+    for name in problem.names:
+        late, unit = 1e3 * problem.delay(found.value, name), ("N", "m/s²", "m")[NAMES.index(name)] if name in NAMES else ""
+        error = 1e3 * problem.step * wide * found.error(f"delay_{name}")
+        if abs(late) > SURE * error > 0:
+            lines.append(f"{name} comes {abs(late):.4g} ± {error:.2g} ms {'later' if late > 0 else 'earlier'} than {reference(problem)}")
+        if f"drift_{name}" in problem.channels:
+            lines.append(f"{name} drifts by {problem.ranges[name] * found.value[f'drift_{name}']:.3g} {unit} over the recording")
+        if f"hum_cos_{name}" in problem.channels:
+            size = problem.ranges[name] * np.hypot(found.value[f"hum_cos_{name}"], found.value[f"hum_sin_{name}"])
+            lines.append(f"{name} hums with the mains, {problem.mains:.0f} Hz, with an amplitude of {size:.3g} {unit}")
+    return [f"{line}: fitted, too" for line in lines]
+
+
+def without_channels(recording: Recording, found: Solved) -> Recording:
+    """The same with the drift and hum of a fit of it as one leg taken away, and delays up to a sample."""
+    problem, signals = found.problem, dict(recording.signals)
+    time = recording.step * np.arange(recording.count)
+    for name in problem.names:
+        if any(f"{part}_{name}" in problem.channels for part in ("drift", "hum_cos")):
+            signals[name] = signals[name] - problem.base(found.value, 0, name, time) + problem.base(found.value, 0, name, np.zeros(1))
+        late = round(problem.delay(found.value, name) / recording.step)
+        if late:
+            moved = np.full(recording.count, np.nan)
+            moved[max(0, -late):recording.count - max(0, late)] = signals[name][max(0, late):recording.count - max(0, -late)]
+            signals[name] = moved
+    return replace(recording, signals=signals)
+
+
+def reference(problem: Problem) -> str:
+    """The signal against which delays are."""
+    return next(name for name in NAMES if name in problem.names)
+
+
+def with_all_channels(problem: Problem, mains: float) -> Problem:
+    """The same with all errors that its channels may have, hum at mains of this frequency [Hz]."""
+    return _with(problem, [*_delays(problem), *_others(problem)], mains)
+
+
+def glimpsed(found: Solved) -> Solved | None:
+    """After one step from a fit without them, the Solved with all errors that its channels may have, at the likelier of both mains; None where that
+    doesn't converge."""
+    tried = [one for mains in MAINS if (one := _solved(with_all_channels(found.problem, mains), found.value, most=2, rounds=1)) is not None]
+    return min(tried, key=_per_row) if tried else None
+
+
+def _delays(problem: Problem) -> list[tuple[str, ...]]:
+    return [(f"delay_{name}",) for name in NAMES if name in problem.names and name != reference(problem)]
+
+
+def _others(problem: Problem) -> list[tuple[str, ...]]:
+    if problem.pushed:  # single impacts have an offset of their own each
+        return []
+    return [(f"drift_{name}",) for name in problem.names] + [(f"hum_cos_{name}", f"hum_sin_{name}") for name in problem.names]
+
+
+def _shown(found: Solved) -> Solved | None:
+    """The Solved with delays, and with the other errors of channels that it shows; None where there are none."""
+    problem = found.problem
+    delays, others = _delays(problem), _others(problem)
+    best = found if problem.channels or not others else glimpsed(found)
+    if best is None:
+        return None
+    kept = _seen(best, others, MAYBE)
+    while delays or kept:
+        best = _solved(_with(problem, delays + kept, best.problem.mains), best.value)
+        if best is None or len(seen := _seen(best, kept, SURE)) == len(kept):
+            return best
+        kept = seen
+    return None
+
+
+def _with(problem: Problem, errors: Sequence[tuple[str, ...]], mains: float) -> Problem:
+    """The same with these errors of channels."""
+    hums = any(len(names) > 1 for names in errors)
+    return replace(problem, channels=[*(name for names in errors for name in names), *(["hum_hertz"] if hums else [])], mains=mains,
+                   prior=_priors(problem, hums))
+
+
+def _seen(found: Solved, errors: Sequence[tuple[str, ...]], sure: float) -> list[tuple[str, ...]]:
+    """Those that are larger than so many standard errors."""
+    wide = sure * float(np.sqrt(max(_per_row(found), 1.0)))
+    return [names for names in errors if any(abs(found.value[name]) > wide * found.error(name) for name in names)]
+
+
+def _like(problem: Problem, other: Problem) -> Problem:
+    return replace(problem, channels=other.channels, mains=other.mains, prior=_priors(problem, "hum_hertz" in other.channels))
+
+
+def _priors(problem: Problem, hums: bool) -> dict[str, tuple[float, float]]:
+    kept = {name: prior for name, prior in problem.prior.items() if name != "hum_hertz"}
+    return {**kept, "hum_hertz": (0.0, MAINS_ERROR)} if hums else kept
+
+
+def _per_row(one: Solved) -> float:
+    return one.cost / max(one.rows, 1)
+
+
+def _solved(problem: Problem, value: dict[str, float], **most: int) -> Solved | None:
+    try:
+        return solved(problem, value, **most)
+    except (ValueError, np.linalg.LinAlgError):
+        return None
