@@ -179,7 +179,7 @@ auto StepEvents<Stepper>::watched() const -> std::span<const Watch> {
 // time of the event but also the point is as accurate as the integration.
 template <class Stepper>
 LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
-    constexpr int most_looks = 50;
+    constexpr int most_corrections = 50;
     // The longest Taylor step, in units of the fastest time. Its error is of fourth order, that is, at rounding
     // level. Where the law's force grows as a fractional power of delta from delta = 0, the order is lower
     // (2.5 in the velocity for a power of 1.5), so the step has to be shorter.
@@ -192,7 +192,7 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     double rate = std::max(1.0, leg_->oscillator.frequency);
     if (leg_->phase == Phase::contact) rate = std::max(rate, fastest(stepper_->before().state));
     LegPoint point;
-    for (int n = 0; n < most_looks; ++n) {
+    for (int n = 0; n < most_corrections; ++n) {
         point = look(time);
         const Sample s = sample(signal, point);
         (s.value > 0 ? above : below) = s;
@@ -217,7 +217,7 @@ std::optional<LegPoint> StepEvents<Stepper>::locate(Signal signal, const LegPoin
     int looks = most_looks;
     const auto bracket = first_rise(
         start, sample(signal, end), [&](double time) { return sample(signal, look(time)); }, looks);
-    if (looks <= 0) failed_ = true;
+    if (!bracket && looks <= 0) failed_ = true;
     if (!bracket) return std::nullopt;
     return refine(signal, *bracket);
 }
@@ -239,7 +239,9 @@ double StepEvents<Stepper>::largest_force(const LegPoint& end, double largest) {
     if (!(end.time > start.time)) return std::max(largest, force(end).value);
     const auto between = [&](double time) { return force(look(time)); };
     int looks = most_looks;
-    return largest_between(force(start), force(end), between, leg_->local_tolerance, largest, looks);
+    largest = largest_between(force(start), force(end), between, leg_->local_tolerance, largest, looks);
+    if (looks <= 0) failed_ = true;
+    return largest;
 }
 
 template <class Stepper>
@@ -268,6 +270,7 @@ double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double lar
             largest = largest_between(
                 outwards(start), outwards(end), [&](double time) { return outwards(look(time)); },
                 leg_->local_tolerance, largest, looks);
+            if (looks <= 0) failed_ = true;
         } else {
             largest = std::max(largest, outwards(end).value);
         }

@@ -28,12 +28,13 @@ constexpr double implicit_share = 0.004;
 constexpr double of_jacobian = 0.01;
 constexpr double tightest = 1e-14;
 
-// The rate of a contact into which the motion leads at its usual speed; 0 where it doesn't ring. In omega.
+// The damped frequency of a contact into which the motion leads at its usual speed; 0 where it doesn't ring.
+// [omega]
 double rate_of_ringing(const Oscillator<double>& oscillator) {
     if (scene::is_rigid(oscillator.contact)) return 0;
     const double speed = trajectory::response_length(oscillator) * std::max(1.0, oscillator.frequency);
     const auto contact = trajectory::linearized_contact(oscillator, {0, speed});
-    return contact.damping * contact.damping < 4 * contact.stiffness ? std::sqrt(contact.stiffness) : 0;
+    return std::sqrt(std::max(contact.stiffness - contact.damping * contact.damping, 0.0));
 }
 
 constexpr double tight = 2e-8;  // below it the explicit method of order 8 is faster than the one of order 5
@@ -74,8 +75,12 @@ struct IntegratedCycleMap::Engine {
         }
         return Arkode(oscillator, ArkodeStepper::Method::implicit_5, local(implicit_share));
     }
-    // Whether errors of rounding would decide on stability.
-    [[nodiscard]] bool is_too_stiff() const { return rate * tightest > of_jacobian; }
+    // A cycle with contacts so stiff that errors of rounding would decide on stability has failed.
+    [[nodiscard]] Cycle<double> checked(Cycle<double> cycle) const {
+        const bool is_too_stiff = rate * tightest > of_jacobian;
+        if (cycle.touched && is_too_stiff) cycle.outcome = Cycle<double>::Outcome::solver_failed;
+        return cycle;
+    }
 };
 
 IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& oscillator, Integrator integrator,
@@ -98,13 +103,13 @@ const Oscillator<double>& IntegratedCycleMap::oscillator() const {
 }
 
 Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<double>* recorder) {
-    if (engine_->is_too_stiff()) return {.outcome = Cycle<double>::Outcome::solver_failed, .end = x};
-    return std::visit([&](auto& i) { return i.cycle(x, 0, i.oscillator().period(), recorder); },
-                      engine_->integration);
+    return engine_->checked(std::visit(
+        [&](auto& i) { return i.cycle(x, 0, i.oscillator().period(), recorder); }, engine_->integration));
 }
 
 Cycle<double> IntegratedCycleMap::part(const State<double>& x, double from, double to) {
-    return std::visit([&](auto& i) { return i.cycle(x, from, to, nullptr); }, engine_->integration);
+    return engine_->checked(
+        std::visit([&](auto& i) { return i.cycle(x, from, to, nullptr); }, engine_->integration));
 }
 
 }  // namespace peterka::integrators

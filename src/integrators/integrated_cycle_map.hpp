@@ -16,12 +16,10 @@
 //     needs the implicit methods. Its restitution tends to 1 at low speed: with n = 1, K = 1e12, D = 1e3 a
 //     pressed hammer hops thousands of times and rings for a million radians, which exceeds a cycle's steps.
 //   - In a contact that rings at the rate w, errors of the Jacobian are w times those of the flow. Local errors
-//   are
-//     kept below 0.01/w for that; where w is above 1e12, a cycle fails (solver_failed).
+//     are kept below 0.01/w for that; where w is above 1e12, a cycle with contacts fails (solver_failed).
 //   - Forces of overdamped Hunt-Crossley contacts (D (v0 + v1) of 100 and more) and of orbits on whose way
-//   errors
-//     grow were off by up to 60 tolerances. So an orbit is measured again with a hundredth of the tolerance
-//     (regime/steady_state.cpp), which left none of these off by more than one.
+//     errors grow were off by up to 60 tolerances. So an orbit is measured again with a hundredth of the
+//     tolerance, down to 1e-12 (regime/steady_state.cpp), which left none of these off by more than one.
 //   - A cycle has at most 200,000 steps (more: solver_failed), and 5,000 legs or 10,000 impacts on a rigid
 //     stop (more: too_many_events).
 #pragma once

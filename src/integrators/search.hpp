@@ -100,7 +100,8 @@ struct Bracket {
 };
 
 // Where the signal first rises through zero between two samples, the first of which is not above zero;
-// sample_at(time) gives a sample in between, `looks` of them at most: none where it falls to 0.
+// sample_at(time) gives a sample in between. Each counts `looks` down; at 0 the search has given up, unless it
+// returns what it had found.
 template <class SampleAt>
 std::optional<Bracket> first_rise(const Sample& a, const Sample& b, SampleAt&& sample_at, int& looks,
                                   int depth = deepest_look) {
@@ -114,8 +115,8 @@ std::optional<Bracket> first_rise(const Sample& a, const Sample& b, SampleAt&& s
     return middle.value > 0 ? Bracket{a, middle} : first_rise(middle, b, sample_at, looks, depth - 1);
 }
 
-// The largest value between two samples, or `largest` where none exceeds it by more than this relative amount;
-// of `looks` samples in between at most.
+// The largest value between two samples, or `largest` where none exceeds it by more than this relative amount.
+// `looks` as above.
 template <class SampleAt>
 double largest_between(const Sample& a, const Sample& b, SampleAt&& sample_at, double relative, double largest,
                        int& looks, int depth = deepest_look) {

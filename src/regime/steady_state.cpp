@@ -215,10 +215,11 @@ class Search {
     Task<double> measure_sharply(PeriodicOrbit& orbit, Observation& observation, MeasuredOrbit& measured,
                                  std::size_t reached) {
         constexpr double sharper = 0.01;
-        constexpr double least_gain = 0.1;  // in which errors become smaller, at least
+        constexpr double least_gain = 0.1;  // by which errors become smaller, at least
         const double force = observation.totals().peak_force();
         const double tolerance = map_.settings().tolerance;
-        map_.set_tolerance(std::max(sharper * tolerance, finest_of_integrators));
+        const double sharp_tolerance = std::max(sharper * tolerance, finest_of_integrators);
+        map_.set_tolerance(sharp_tolerance);
         PeriodicOrbit again = orbit;
         again.error = 1;
         const MeasuredOrbit sharp = co_await measure_orbit(map_, again, observation);
@@ -226,11 +227,12 @@ class Search {
             is_stable(again)) {
             orbit = std::move(again);
             measured = sharp;
-            const double off = least_gain * std::abs(observation.totals().peak_force() / force - 1);
-            co_return off;
+            const double gain = std::max(least_gain, sharp_tolerance / tolerance);
+            co_return std::abs(observation.totals().peak_force() / force - 1) * gain;
         }
         map_.set_tolerance(tolerance);
         orbit.error = 1;
+        observation = Observation(measures_, map_.oscillator().period());  // without what the failure left open
         measured = co_await measure_orbit(map_, orbit, observation);
         co_return std::numeric_limits<double>::infinity();
     }

@@ -6,9 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from identification_coverage import pulls_of
+from peterka.errors import PeterkaFileError
 from peterka.identification import channels, numbers_found
+from peterka.identification.adequacy import refuse_contradicting
+from peterka.identification.first_guess import look
 from peterka.identification.fit import fit
 from peterka.identification.recording import Recording
+from peterka.identification.solve import solved
 from simulated_hammer import Hammer, noisy, simulate, write
 
 RATE, FINE, NOISE = 51200.0, 10, 0.003
@@ -94,6 +98,41 @@ def test_drift_of_a_displacement_is_no_other_mode(tmp_path, run_program):
     (line,) = (line for line in out.splitlines() if "other modes have" in line)
     share, error = float(line.split()[3]), float(line.split()[5])
     assert abs(share) < max(3 * error, 0.01)
+
+
+def test_what_a_sound_recording_does_not_show_is_not_kept():
+    """Also where a fit has been begun with all of it, and no delay is there to be fitted."""
+    time, columns = release(("force",))
+    sound = fitted(time, columns).solved
+    whole = solved(channels.with_all_channels(sound.problem, 50.0), sound.value)
+    assert len(whole.problem.channels) == 4
+    (best, *others) = channels.with_channels([whole])
+    assert [one.problem.channels for one in (best, *others)] == [[]] * (1 + len(others))
+    assert best.cost == pytest.approx(sound.cost, rel=1e-4)
+
+
+@pytest.mark.parametrize("names, kept", [(("force", "displacement"), []), (("acceleration", "displacement"), ["delay_displacement"]),
+                                         (("force", "acceleration", "displacement"), ["delay_displacement"]), (("force",), [])])
+def test_flights_tell_no_delay_against_a_force(names, kept):
+    """It is 0 there: such a delay and all touches would move together."""
+    problem = fitted(*release(names)).solved.problem
+    whole = channels.with_all_channels(problem, 50.0)
+    assert [name for name in channels.told_by_flights(whole) if name.startswith("delay_")] == kept
+    assert f"drift_{names[-1]}" in channels.told_by_flights(whole)
+
+
+@pytest.mark.parametrize("late", [-4, 4])
+def test_a_late_acceleration_contradicts_no_force(late):
+    """In contacts of 7 samples, products of samples taken together would be off by 30 to 50 %."""
+    time, columns = fine()
+    at = np.arange(400, len(time) - 400, 50)
+    recording = Recording(Path("simulated"), 0.0, 50 * time[1], noisy(
+        {"force": columns["force"][at], "acceleration": columns["acceleration"][at - 50 * late]}, ("force", "acceleration"), NOISE, 1))
+    guess = look(recording)
+    assert 5 <= guess.contact <= 9
+    refuse_contradicting(recording, guess, HAMMER.mass)
+    with pytest.raises(PeterkaFileError, match="times the mass"):
+        refuse_contradicting(recording, guess, 1.5 * HAMMER.mass)
 
 
 def test_means_of_drift_and_hum_are_those_of_their_values():

@@ -323,5 +323,5 @@ def test_no_export_replaces_another_of_the_same_call(tmp_path, run_program):
     assert code == 2 and "a_impacts.csv is written already, of another of these files" in err and err.count("\n") == 1
     assert out.split().count(str(tmp_path / "x" / "a_impacts.csv")) == 1
     assert "touch_time_s" in (tmp_path / "x" / "a_impacts.csv").read_text().splitlines()[0]
-    assert run_program("export", other, "--output-dir", tmp_path / "x")[0] == 0
+    assert run_program("export", other, "--output-dir", tmp_path / "x", "--as", "csv,csv")[0] == 0
     assert "touch_time_s" not in (tmp_path / "x" / "a_impacts.csv").read_text().splitlines()[0]

@@ -81,7 +81,7 @@ def read_formats(text: str) -> list[str]:
     formats = text.split(",")
     if not set(formats) <= set(FORMATS):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of {' and '.join(FORMATS)}")
-    return formats
+    return list(dict.fromkeys(formats))
 
 
 class _Output:

@@ -108,7 +108,7 @@ def read_formats(text: str) -> list[str]:
     formats = text.split(",")
     if not set(formats) <= set(FORMATS):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of {', '.join(FORMATS)}")
-    return formats
+    return list(dict.fromkeys(formats))
 
 
 def export(file: OpenedFile, folder: Path, formats: Iterable[str], claim: Callable[[Path], Path] = lambda path: path) -> Iterator[Path]:

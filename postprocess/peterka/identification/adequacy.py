@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.stats import f, norm
 
-from ..arrays import Reals
+from ..arrays import Integers, Reals
 from ..errors import PeterkaFileError
 from .first_guess import Guess
 from .problem import SHARP
@@ -34,8 +34,16 @@ def refuse_contradicting(recording: Recording, guess: Guess, mass: float) -> Non
     if not set(SHARP) <= recording.signals.keys():
         return
     tops = np.concatenate([np.arange(pulse.first, pulse.last) for pulse in guess.pulses])
-    force, push = (guess.signs[name] * factor * (np.asarray(recording.signals[name][tops], dtype=float) - guess.offsets[name])
-                   for name, factor in (("force", 1.0), ("acceleration", -mass)))
+    hardest = np.arange(guess.pulses[guess.hardest].first, guess.pulses[guess.hardest].last)
+
+    def signal(name: str, at: Integers, factor: float = 1.0) -> Reals:
+        values = np.asarray(recording.signals[name][np.clip(at, 0, recording.count - 1)], dtype=float)
+        return guess.signs[name] * factor * (values - guess.offsets[name])
+
+    # One may be recorded later than the other.
+    late = max(range(-guess.contact, guess.contact + 1),
+               key=lambda late: abs(float(np.nansum(signal("force", hardest) * signal("acceleration", hardest + late)))))
+    force, push = signal("force", tops), signal("acceleration", tops + late, -mass)
     seen = np.isfinite(force) & np.isfinite(push)
     seen &= force > NEAR_TOP * np.max(force[seen], initial=0)
     size = float(np.sum(push[seen]**2))

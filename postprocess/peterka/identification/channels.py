@@ -15,7 +15,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..arrays import Reals
-from .problem import SHARP, Problem
+from .problem import Problem
 from .recording import Recording
 from .solve import Solved, solved
 
@@ -26,7 +26,8 @@ MOST_LOOKED_AT, MOST_CALMED = 200_000, 2_000_000  # samples; of longer recording
 CALM_ROUNDS, STANDS_OUT = 8, 4.0  # standard deviations
 TRIED = 2  # fits, the best ones
 CLOSE = 4.0  # times the sum of squares per residual of the best: fits beyond are of other minima and aren't solved again
-NAMES = (*SHARP, "displacement")
+UNITS = {"force": "N", "acceleration": "m/s²", "displacement": "m"}
+NAMES = tuple(UNITS)
 
 
 def calmed(recording: Recording) -> Recording:
@@ -82,7 +83,7 @@ def channel_words(found: Solved, likeness: float) -> list[str]:
     problem, wide = found.problem, float(np.sqrt((1 + likeness) / (1 - likeness)))
     lines = []
     for name in problem.names:
-        late, unit = 1e3 * problem.delay(found.value, name), ("N", "m/s²", "m")[NAMES.index(name)] if name in NAMES else ""
+        late, unit = 1e3 * problem.delay(found.value, name), UNITS[name.removeprefix("cart_")]
         error = 1e3 * problem.step * wide * found.error(f"delay_{name}")
         if abs(late) > SURE * error > 0:
             lines.append(f"{name} comes {abs(late):.4g} ± {error:.2g} ms {'later' if late > 0 else 'earlier'} than {reference(problem)}")
@@ -94,24 +95,37 @@ def channel_words(found: Solved, likeness: float) -> list[str]:
     return [f"{line}: fitted, too" for line in lines]
 
 
-def without_channels(recording: Recording, found: Solved) -> Recording:
-    """The same with the drift and hum of a fit of it as one leg taken away, and delays up to a sample."""
-    problem, signals = found.problem, dict(recording.signals)
-    time = recording.step * np.arange(recording.count)
-    for name in problem.names:
-        if any(f"{part}_{name}" in problem.channels for part in ("drift", "hum_cos")):
-            signals[name] = signals[name] - problem.base(found.value, 0, name, time) + problem.base(found.value, 0, name, np.zeros(1))
-        late = round(problem.delay(found.value, name) / recording.step)
-        if late:
-            moved = np.full(recording.count, np.nan)
-            moved[max(0, -late):recording.count - max(0, late)] = signals[name][max(0, late):recording.count - max(0, -late)]
-            signals[name] = moved
-    return replace(recording, signals=signals)
+def without_channels(recording: Recording, found: Solved) -> Recording | None:
+    """The same with the drift and hum of its displacement, by a fit of it as one leg, taken away, and its delay up to a sample; None where a recording so long
+    has these."""
+    problem, name = found.problem, "displacement"
+    is_shifted = any(f"{part}_{name}" in problem.channels for part in ("drift", "hum_cos"))
+    late = round(problem.delay(found.value, name) / recording.step)
+    if name not in problem.names or not is_shifted and not late:
+        return recording
+    if recording.count > MOST_CALMED:
+        return None
+    values = np.asarray(recording.signals[name], dtype=float)
+    if is_shifted:
+        time = recording.step * np.arange(recording.count)
+        values = values - problem.base(found.value, 0, name, time) + problem.base(found.value, 0, name, np.zeros(1))
+    if late:
+        moved = np.full(recording.count, np.nan)
+        moved[max(0, -late):recording.count - max(0, late)] = values[max(0, late):recording.count - max(0, -late)]
+        values = moved
+    return replace(recording, signals={**recording.signals, name: values})
+
+
+def told_by_flights(problem: Problem) -> list[str]:
+    """Those of a Problem's errors of channels that flights alone tell: a force is 0 there, so that nothing is late against it."""
+    in_flight = [name for name in NAMES if name in problem.names and name != "force"]
+    kept = {f"delay_{name}" for name in in_flight[1:]}
+    return [name for name in problem.channels if not name.startswith("delay_") or name in kept]
 
 
 def reference(problem: Problem) -> str:
     """The signal against which delays are."""
-    return next(name for name in NAMES if name in problem.names)
+    return next(name for name in NAMES if name in problem.names and not (problem.unseen and name == "force"))
 
 
 def with_all_channels(problem: Problem, mains: float) -> Problem:
@@ -137,18 +151,17 @@ def _others(problem: Problem) -> list[tuple[str, ...]]:
 
 
 def _shown(found: Solved) -> Solved | None:
-    """The Solved with delays, and with the other errors of channels that it shows; None where there are none."""
+    """The Solved with delays, and with the other errors of channels that it shows; None where there are none, and none were fitted."""
     problem = found.problem
     delays, others = _delays(problem), _others(problem)
-    best = found if problem.channels or not others else glimpsed(found)
-    if best is None:
-        return None
-    kept = _seen(best, others, MAYBE)
-    while delays or kept:
-        best = _solved(_with(problem, delays + kept, best.problem.mains), best.value)
+    seen_in = found if problem.channels else glimpsed(found) if others else None
+    kept, mains, value = ([], problem.mains, found.value) if seen_in is None else (
+        _seen(seen_in, others, MAYBE), seen_in.problem.mains, seen_in.value)
+    while delays or kept or problem.channels:
+        best = _solved(_with(problem, delays + kept, mains), value)
         if best is None or len(seen := _seen(best, kept, SURE)) == len(kept):
             return best
-        kept = seen
+        kept, value = seen, best.value
     return None
 
 

@@ -100,7 +100,8 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     if guess.sharp and contact_samples(found[0]) < SEEN:
         refuse_few(recording, begun, contact_samples(found[0]))
     best, other = likeliest(trusted(recording.path, found))
-    share = share_of_modes(without_channels(recording, best), guess, begun)
+    corrected = without_channels(recording, best)
+    share = None if corrected is None else share_of_modes(corrected, guess, begun)
     try:
         told = replace(agreeing(finished(recording, guess, best, begun.impacts), begun, given), share=share)
     except PeterkaFileError as refusal:
@@ -199,7 +200,7 @@ def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> 
     if begun.alone is None or guess.contact < SEEN:
         raise PeterkaFileError(f"{recording.path} is too coarse to see the contact, which lasts for about {guess.contact} samples, and "
                           "shows no flights that tell it otherwise")
-    return telling(finished(recording, guess, begun.alone, [begun.impacts[guess.hardest]]))
+    return telling(finished(recording, guess, with_channels([begun.alone])[0], [begun.impacts[guess.hardest]]))
 
 
 def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequence[Impact], unused: Sequence[str] = ()) -> Fit:

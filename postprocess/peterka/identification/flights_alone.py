@@ -16,6 +16,7 @@ import numpy as np
 from scipy.stats import f
 
 from ..errors import PeterkaFileError
+from .channels import told_by_flights
 from .contact_pulse import pulse
 from .problem import SHARP, Problem
 from .solve import Solved, levels, solved
@@ -44,14 +45,14 @@ def ringing(found: Solved) -> float:
     settled, problem = found.settled[0], found.problem
     leg, moved = problem.legs[0], problem.motion(found.value, 0)
     time, step = leg.samples.time, problem.step
-    near = np.zeros(len(time), dtype=bool)
-    for begin, end in moved.contacts():
-        near |= (time > begin - BESIDE * step) & (time < end + BESIDE * step)
     singles, means = problem.left(found.value, 0, settled.places, moved)
     chance = 1.0
     for name in set(SHARP) & set(problem.names):
+        near, late = np.zeros(len(time), dtype=bool), problem.delay(found.value, name)
+        for begin, end in moved.contacts():
+            near |= (time - late > begin - BESIDE * step) & (time - late < end + BESIDE * step)
         beside = near & ~settled.contact[name] & settled.known
-        for touch in moved.touches + problem.delay(found.value, name):
+        for touch in moved.touches + late:
             beside &= np.abs(time - touch) > AT_TOUCH * step
         far = np.concatenate([singles[name][~near & settled.known], (means[name] * np.sqrt(leg.samples.counts))[settled.known_means]])
         if len(far) and beside.any():
@@ -77,7 +78,7 @@ def trusted(path: Path, found: Sequence[Solved]) -> list[Solved]:
         raise PeterkaFileError(f"{path} {why}, and it has neither displacement nor acceleration, whose flights would tell it; record at "
                                f"{1e-3 * FEW_IN_CONTACT / samples / found[0].problem.step:.2g} kHz or more")
     unseen = _unseen(found[0])
-    without = [one for other in found if (one := _solved(replace(other.problem, unseen=unseen), other.value))]
+    without = [one for other in found if (one := _solved(replace(other.problem, unseen=unseen, channels=told_by_flights(other.problem)), other.value))]
     if not without:
         raise PeterkaFileError(f"{path} {why}, and its flights don't tell it")
     return without
@@ -87,7 +88,7 @@ def least_stiffness(found: Solved) -> float | None:
     """The lower bound of ki [N/m] that the flights tell; None if they tell none."""
     if not SEEN_IN_FLIGHT & set(found.problem.names):
         return None
-    problem = found.problem if found.problem.unseen else replace(found.problem, unseen=_unseen(found))
+    problem = found.problem if found.problem.unseen else replace(found.problem, unseen=_unseen(found), channels=told_by_flights(found.problem))
     best = _solved(problem, found.value)
     if best is None:
         return None
