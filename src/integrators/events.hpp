@@ -239,9 +239,7 @@ double StepEvents<Stepper>::largest_force(const LegPoint& end, double largest) {
     if (!(end.time > start.time)) return std::max(largest, force(end).value);
     const auto between = [&](double time) { return force(look(time)); };
     int looks = most_looks;
-    largest = largest_between(force(start), force(end), between, leg_->local_tolerance, largest, looks);
-    if (looks <= 0) failed_ = true;
-    return largest;
+    return largest_between(force(start), force(end), between, leg_->local_tolerance, largest, looks);
 }
 
 template <class Stepper>
@@ -270,7 +268,6 @@ double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double lar
             largest = largest_between(
                 outwards(start), outwards(end), [&](double time) { return outwards(look(time)); },
                 leg_->local_tolerance, largest, looks);
-            if (looks <= 0) failed_ = true;
         } else {
             largest = std::max(largest, outwards(end).value);
         }

@@ -22,7 +22,7 @@ CASES = {
     "spring and dashpot": jobs.small_map(160, 160),
     "rigid": jobs.with_rigid_stop(jobs.small_map(160, 160)),
     "cubic springs kept": with_cubic(120),
-    "one by one": jobs.with_rigid_stop(with_cubic(60)),  # a cell takes longer
+    "one by one": jobs.with_rigid_stop(with_cubic(120)),  # a cell takes longer
     "rigs of their own": jobs.RIG.format(kind="map", title="stiffness") + STIFFNESS + "[operating_point]\ngap_ratio = 0.5\n",
     "starts": many_starts.small_map(count=32, columns=40, rows=40),
     "basin": jobs.small_basin(points=160),
