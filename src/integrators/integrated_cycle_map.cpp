@@ -56,10 +56,8 @@ struct IntegratedCycleMap::Engine {
 
     static std::variant<Cvode, Arkode> make(const Oscillator<double>& oscillator, Integrator integrator,
                                             double tolerance, double rate) {
-        const double most = of_jacobian / std::max(rate, of_jacobian);
-        const auto local = [&](double share) {
-            return std::max(std::min(share * tolerance, most), std::min(share * tolerance, tightest));
-        };
+        const double most = std::max(of_jacobian / std::max(rate, of_jacobian), tightest);
+        const auto local = [&](double share) { return std::min(share * tolerance, most); };
         switch (integrator) {
             case Integrator::cvode_adams:
                 return Cvode(oscillator, CvodeStepper::Method::adams, local(adams_share));

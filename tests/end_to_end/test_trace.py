@@ -350,3 +350,10 @@ def test_usr1_ends_a_trace_on_all_ranks(tmp_path, ranks):
     assert process.returncode == 5, errors
     assert errors.count("stopped early (signal SIGUSR1)") == 1
     assert not (tmp_path / "job.h5").exists()
+
+
+def test_steps_in_which_events_are_noise_end_a_trace(tmp_path):
+    """Of a hammer of 1e-16 kg, whose overdamped contact creeps; searched to the last halving, one cycle would take minutes."""
+    jobs.write(tmp_path, jobs.trace(0.5))
+    finished = launch.run("run", "job.toml", "--set", "hammer.mass_kg=1e-16", "--set", "hammer.cubic_stiffness_n_per_m3=238.23", cwd=tmp_path)
+    assert finished.returncode == 4 and "can't be followed beyond 0 cycles: the integrator gives up" in finished.stderr, finished.stderr

@@ -13,6 +13,7 @@ from peterka.identification.first_guess import look
 from peterka.identification.fit import fit
 from peterka.identification.recording import Recording
 from peterka.identification.solve import solved
+from peterka.identification.words import UNITS, channel_lines
 from simulated_hammer import Hammer, noisy, simulate, write
 
 RATE, FINE, NOISE = 51200.0, 10, 0.003
@@ -52,7 +53,7 @@ def test_a_channel_that_comes_late_is_told_and_moves_no_number(names, late):
     delay, error = one.solved.problem.delay(one.solved.value, names[-1]), one.solved.problem.step * one.error(f"delay_{names[-1]}")
     assert abs(delay - late / RATE) < 4 * error < 0.5 / RATE
     word = "later" if late > 0 else "earlier"
-    assert [line for line in channels.channel_words(one.solved, one.likeness) if f"ms {word} than {names[0]}" in line]
+    assert [line for line in channel_lines(one) if f"ms {word} than {names[0]}" in line]
 
 
 @pytest.mark.parametrize("names", [("force",), ("force", "displacement")])
@@ -62,8 +63,8 @@ def test_an_offset_that_drifts_is_told_and_moves_no_number(names):
     columns[names[-1]] = columns[names[-1]] + 0.05 * size * time / time[-1]
     one = fitted(time, columns)
     is_right(one.found)
-    (line,) = (line for line in channels.channel_words(one.solved, one.likeness) if "drifts" in line)
-    assert line.startswith(f"{names[-1]} drifts by ") and float(line.split()[3]) == pytest.approx(0.05 * size, rel=0.05)
+    (line,) = (line for line in channel_lines(one) if "drifts" in line)
+    assert line.startswith(f"{names[-1]} drifts by ") and float(line.split()[3]) == pytest.approx(0.05 * size * UNITS[names[-1]][0], rel=0.05)
 
 
 @pytest.mark.parametrize("names, hertz, share", [(("force",), 60.02, 0.02), (("acceleration", "displacement"), 49.95, 0.01)])
@@ -74,9 +75,9 @@ def test_hum_of_the_mains_is_told_and_moves_no_number(names, hertz, share):
     columns[names[-1]] = columns[names[-1]] + share * size * np.sin(2 * np.pi * hertz * time + 0.4)
     one = fitted(time, columns)
     is_right(one.found)
-    (line,) = (line for line in channels.channel_words(one.solved, one.likeness) if "hums" in line)
+    (line,) = (line for line in channel_lines(one) if "hums" in line)
     assert f"{names[-1]} hums with the mains, {round(hertz)} Hz, with an amplitude of" in line
-    assert float(line.split()[-4]) == pytest.approx(share * size, rel=0.05)
+    assert float(line.split()[-4]) == pytest.approx(share * size * UNITS[names[-1]][0], rel=0.05)
     left = one.recording.signals[names[-1]] - one.model(time)[names[-1]]
     assert np.median(np.abs(left)) < 0.8 * NOISE * size
 
@@ -94,7 +95,7 @@ def test_drift_of_a_displacement_is_no_other_mode(tmp_path, run_program):
     columns["displacement"] = columns["displacement"] + 5e-4 * time / time[-1]
     path = write(tmp_path / "a.csv", time, noisy(columns, columns, 0.001, 2))
     code, out, err = run_program("identify", path, "--mass-kg", HAMMER.mass, "--formats", "png")
-    assert (code, err) == (0, "") and "displacement drifts by 0.0005 m over the recording: fitted, too" in out
+    assert (code, err) == (0, "") and "displacement drifts by 0.5 mm over the recording: fitted, too" in out
     (line,) = (line for line in out.splitlines() if "other modes have" in line)
     share, error = float(line.split()[3]), float(line.split()[5])
     assert abs(share) < max(3 * error, 0.01)
@@ -148,7 +149,7 @@ def test_means_of_drift_and_hum_are_those_of_their_values():
         assert problem.base(value, 0, name, begins, ends) == pytest.approx(values.mean(axis=1), rel=1e-6)
 
 
-def test_errors_cover_delays(tmp_path):
+def test_errors_cover_delays():
     """Three repetitions with other noise: a delay that is always fitted leaves the numbers' errors true."""
     time, columns = release(("force", "displacement"), 0.4)
     for seed in (3, 4, 5):

@@ -6,6 +6,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+from matplotlib.figure import Figure
+from peterka.cli import command_line
+from peterka.errors import PeterkaFileError
+
 POSTPROCESS = Path(__file__).parents[2] / "postprocess"
 WORK = """
 import sys
@@ -59,3 +64,21 @@ def test_elsewhere_it_says_nothing():
     process = begin(subprocess.PIPE)
     assert process.communicate("0\n")[1] == ""
     assert process.returncode == 0
+
+
+def test_no_picture_replaces_another_of_the_same_call(tmp_path):
+    """As those of a basin b.h5, b_basin_impact, and of a trace b_basin.h5; the next call may."""
+    command_line.OneLineParser("")
+    command_line.save_all(Figure(), tmp_path, "b_basin_impact", ["png", "pdf"])
+    first = (tmp_path / "b_basin_impact.png").read_bytes()
+    with pytest.raises(PeterkaFileError, match="b_basin_impact.png is written already, of another of these files"):
+        command_line.save_all(Figure((1, 1)), tmp_path, "b_basin_impact", ["png"])
+    assert (tmp_path / "b_basin_impact.png").read_bytes() == first
+    command_line.OneLineParser("")
+    command_line.save_all(Figure((1, 1)), tmp_path, "b_basin_impact", ["png"])
+    assert (tmp_path / "b_basin_impact.png").read_bytes() != first
+
+
+@pytest.mark.parametrize("names", ["png,png", "png,pdf,png"])
+def test_a_format_named_twice_is_written_once(names):
+    assert command_line.read_formats(names) == list(dict.fromkeys(names.split(",")))

@@ -280,6 +280,13 @@ TEST(HuntCrossleyStop, SaysWhereItsForceMayBeOff) {
     EXPECT_EQ(solve_cell(scene::Scene(job), 0, 0).status, Status::verified);
 }
 
+// A preload of ten amplitudes against n = 10: the force is noise in each step, in which events can't be told.
+TEST(HuntCrossleyStop, FailsWhereItsForceIsNoise) {
+    const CellResult cell = solve_cell(scene::Scene(hunt_crossley_job(10.0, 1e30, 5.0, 0.6, -10)), 0, 0);
+    EXPECT_EQ(cell.regime, Regime::failed);
+    EXPECT_EQ(cell.status, Status::solver_failed);
+}
+
 // Errors of a stiff contact's flow grow to its rate times the local tolerance in the Jacobian. The same 1/1 at
 // any of these stiffnesses, by the same program.
 TEST(HuntCrossleyStop, IsNotTakenForChaoticWhereItIsExtremelyStiff) {

@@ -31,7 +31,7 @@ class OneLineParser(argparse.ArgumentParser):
 
     def __init__(self, description: str | None) -> None:
         super().__init__(description=_as_installed(description), formatter_class=argparse.RawDescriptionHelpFormatter)
-        _Output.written.clear()
+        _Output.written.clear()  # a call of its own, as where one process makes several
 
     def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:
         """Takes "--zoom -2,1" for "--zoom=-2,1": argparse would take -2,1 for an option."""

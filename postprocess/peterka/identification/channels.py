@@ -15,9 +15,9 @@ from dataclasses import replace
 import numpy as np
 
 from ..arrays import Reals
-from .problem import Problem
+from .problem import SHARP, Problem
 from .recording import Recording
-from .solve import Solved, solved
+from .solve import Solved, converged
 
 MAINS = (50.0, 60.0)  # Hz
 MAINS_ERROR = 0.1  # Hz
@@ -26,8 +26,7 @@ MOST_LOOKED_AT, MOST_CALMED = 200_000, 2_000_000  # samples; of longer recording
 CALM_ROUNDS, STANDS_OUT = 8, 4.0  # standard deviations
 TRIED = 2  # fits, the best ones
 CLOSE = 4.0  # times the sum of squares per residual of the best: fits beyond are of other minima and aren't solved again
-UNITS = {"force": "N", "acceleration": "m/s²", "displacement": "m"}
-NAMES = tuple(UNITS)
+NAMES = (*SHARP, "displacement")
 
 
 def calmed(recording: Recording) -> Recording:
@@ -72,27 +71,10 @@ def with_channels(found: Sequence[Solved]) -> list[Solved]:
     shown = [one for one in (_shown(other) for other in found[:TRIED]) if one is not None]
     if not shown:
         return list(found)
-    best = min(shown, key=_per_row)
-    others = [one for one in (_solved(_like(other.problem, best.problem), other.value) for other in found
-                              if _per_row(other) < CLOSE * _per_row(found[0])) if one is not None]
-    return sorted([best, *others], key=_per_row)
-
-
-def channel_words(found: Solved, likeness: float) -> list[str]:
-    """The errors of channels of a fit, in words."""
-    problem, wide = found.problem, float(np.sqrt((1 + likeness) / (1 - likeness)))
-    lines = []
-    for name in problem.names:
-        late, unit = 1e3 * problem.delay(found.value, name), UNITS[name.removeprefix("cart_")]
-        error = 1e3 * problem.step * wide * found.error(f"delay_{name}")
-        if abs(late) > SURE * error > 0:
-            lines.append(f"{name} comes {abs(late):.4g} ± {error:.2g} ms {'later' if late > 0 else 'earlier'} than {reference(problem)}")
-        if f"drift_{name}" in problem.channels:
-            lines.append(f"{name} drifts by {problem.ranges[name] * found.value[f'drift_{name}']:.3g} {unit} over the recording")
-        if f"hum_cos_{name}" in problem.channels:
-            size = problem.ranges[name] * np.hypot(found.value[f"hum_cos_{name}"], found.value[f"hum_sin_{name}"])
-            lines.append(f"{name} hums with the mains, {problem.mains:.0f} Hz, with an amplitude of {size:.3g} {unit}")
-    return [f"{line}: fitted, too" for line in lines]
+    best = min(shown, key=lambda one: one.per_row)
+    others = [one for one in (converged(_like(other.problem, best.problem), other.value) for other in found
+                              if other.per_row < CLOSE * found[0].per_row) if one is not None]
+    return sorted([best, *others], key=lambda one: one.per_row)
 
 
 def without_channels(recording: Recording, found: Solved) -> Recording | None:
@@ -136,8 +118,8 @@ def with_all_channels(problem: Problem, mains: float) -> Problem:
 def glimpsed(found: Solved) -> Solved | None:
     """After one step from a fit without them, the Solved with all errors that its channels may have, at the likelier of both mains; None where that
     doesn't converge."""
-    tried = [one for mains in MAINS if (one := _solved(with_all_channels(found.problem, mains), found.value, most=2, rounds=1)) is not None]
-    return min(tried, key=_per_row) if tried else None
+    tried = [one for mains in MAINS if (one := converged(with_all_channels(found.problem, mains), found.value, most=2, rounds=1)) is not None]
+    return min(tried, key=lambda one: one.per_row) if tried else None
 
 
 def _delays(problem: Problem) -> list[tuple[str, ...]]:
@@ -158,7 +140,7 @@ def _shown(found: Solved) -> Solved | None:
     kept, mains, value = ([], problem.mains, found.value) if seen_in is None else (
         _seen(seen_in, others, MAYBE), seen_in.problem.mains, seen_in.value)
     while delays or kept or problem.channels:
-        best = _solved(_with(problem, delays + kept, mains), value)
+        best = converged(_with(problem, delays + kept, mains), value)
         if best is None or len(seen := _seen(best, kept, SURE)) == len(kept):
             return best
         kept, value = seen, best.value
@@ -174,7 +156,7 @@ def _with(problem: Problem, errors: Sequence[tuple[str, ...]], mains: float) -> 
 
 def _seen(found: Solved, errors: Sequence[tuple[str, ...]], sure: float) -> list[tuple[str, ...]]:
     """Those that are larger than so many standard errors."""
-    wide = sure * float(np.sqrt(max(_per_row(found), 1.0)))
+    wide = sure * float(np.sqrt(max(found.per_row, 1.0)))
     return [names for names in errors if any(abs(found.value[name]) > wide * found.error(name) for name in names)]
 
 
@@ -185,14 +167,3 @@ def _like(problem: Problem, other: Problem) -> Problem:
 def _priors(problem: Problem, hums: bool) -> dict[str, tuple[float, float]]:
     kept = {name: prior for name, prior in problem.prior.items() if name != "hum_hertz"}
     return {**kept, "hum_hertz": (0.0, MAINS_ERROR)} if hums else kept
-
-
-def _per_row(one: Solved) -> float:
-    return one.cost / max(one.rows, 1)
-
-
-def _solved(problem: Problem, value: dict[str, float], **most: int) -> Solved | None:
-    try:
-        return solved(problem, value, **most)
-    except (ValueError, np.linalg.LinAlgError):
-        return None

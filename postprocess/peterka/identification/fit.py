@@ -90,12 +90,12 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     found = _from_each(recording, guess, begun, samples, mass, given, starts)
     if not found:
         raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
-    found.sort(key=lambda one: one.cost / one.rows)
-    if found[0].cost > EXPLAINED * found[0].rows:  # drift or hum may have led all of them astray
+    found.sort(key=lambda one: one.per_row)
+    if found[0].per_row > EXPLAINED:  # drift or hum may have led all of them astray
         seen = glimpsed(found[0])
-        few = list(dict.fromkeys([*range(len(starts))[:MOST_AGAIN], len(starts) - 1]))  # the likeliest, and that of the swings
+        few = list(dict.fromkeys([*range(len(starts))[:MOST_AGAIN], len(starts) - 1]))  # the likeliest, and the last: that of the swings, if there is one
         found += _from_each(recording, guess, begun, samples, mass, given, [starts[at] for at in few], (seen or found[0]).problem.mains)
-        found.sort(key=lambda one: one.cost / one.rows)
+        found.sort(key=lambda one: one.per_row)
     found = with_channels(found)
     if guess.sharp and contact_samples(found[0]) < SEEN:
         refuse_few(recording, begun, contact_samples(found[0]))
@@ -135,9 +135,9 @@ def _from_each(recording: Recording, guess: Guess, begun: Begin, samples: Sample
             tried.append((solved(problem, value), value))
         except (ValueError, np.linalg.LinAlgError):
             pass  # no convergence from here
-    tried.sort(key=lambda pair: pair[0].cost / pair[0].rows)
+    tried.sort(key=lambda pair: pair[0].per_row)
     found = [one for one, _ in tried]
-    if found and found[0].cost > EXPLAINED * found[0].rows:
+    if found and found[0].per_row > EXPLAINED:
         for reached, value in tried[:MOST_AGAIN]:
             found += _one_after_the_other(reached.problem, value)
     return found
@@ -155,7 +155,7 @@ def _one_after_the_other(problem: Problem, value: dict[str, float]) -> list[Solv
         except (ValueError, np.linalg.LinAlgError):
             break  # no convergence from here
         found.append(reached)
-        if reached.cost < EXPLAINED * reached.rows:
+        if reached.per_row < EXPLAINED:
             break
     return found
 

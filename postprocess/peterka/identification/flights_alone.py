@@ -19,7 +19,7 @@ from ..errors import PeterkaFileError
 from .channels import told_by_flights
 from .contact_pulse import pulse
 from .problem import SHARP, Problem
-from .solve import Solved, levels, solved
+from .solve import Solved, converged, levels
 
 FEWEST_IN_CONTACT = 2.5  # steps: shorter contacts have two samples more often than three
 FEW_IN_CONTACT = 8.0  # steps: of longer ones, a filter that rings changes the numbers by less than other things do
@@ -78,7 +78,7 @@ def trusted(path: Path, found: Sequence[Solved]) -> list[Solved]:
         raise PeterkaFileError(f"{path} {why}, and it has neither displacement nor acceleration, whose flights would tell it; record at "
                                f"{1e-3 * FEW_IN_CONTACT / samples / found[0].problem.step:.2g} kHz or more")
     unseen = _unseen(found[0])
-    without = [one for other in found if (one := _solved(replace(other.problem, unseen=unseen, channels=told_by_flights(other.problem)), other.value))]
+    without = [one for other in found if (one := converged(replace(other.problem, unseen=unseen, channels=told_by_flights(other.problem)), other.value))]
     if not without:
         raise PeterkaFileError(f"{path} {why}, and its flights don't tell it")
     return without
@@ -89,10 +89,10 @@ def least_stiffness(found: Solved) -> float | None:
     if not SEEN_IN_FLIGHT & set(found.problem.names):
         return None
     problem = found.problem if found.problem.unseen else replace(found.problem, unseen=_unseen(found), channels=told_by_flights(found.problem))
-    best = _solved(problem, found.value)
+    best = converged(problem, found.value)
     if best is None:
         return None
-    best = _solved(replace(problem, noise={**problem.noise, **levels(best)[0]}), best.value) or best
+    best = converged(replace(problem, noise={**problem.noise, **levels(best)[0]}), best.value) or best
     rungs = [(best.value["stiffness"], best)]
     while len(rungs) <= MOST_RUNGS and rungs[-1][1].cost <= min(one.cost for _, one in rungs) + FAR:
         lower = rungs[-1][0] - RUNG
@@ -130,11 +130,4 @@ def _kept(found: Solved, stiffness: float) -> Solved | None:
     """The Solved of all but ki, whose logarithm over its scale is kept; None where it doesn't converge."""
     problem = found.problem
     free = [name for name in problem.free if name != "stiffness"]
-    return _solved(replace(problem, free=free, fixed={**problem.fixed, "stiffness": stiffness}), {**found.value, "stiffness": stiffness})
-
-
-def _solved(problem: Problem, value: dict[str, float]) -> Solved | None:
-    try:
-        return solved(problem, value)
-    except (ValueError, np.linalg.LinAlgError):
-        return None
+    return converged(replace(problem, free=free, fixed={**problem.fixed, "stiffness": stiffness}), {**found.value, "stiffness": stiffness})

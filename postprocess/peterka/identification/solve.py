@@ -60,6 +60,11 @@ class Solved:
     rows: int
     settled: list[Settled]
 
+    @property
+    def per_row(self) -> float:
+        """Sum of squares per residual: about 1 where the motion explains the recording."""
+        return self.cost / max(self.rows, 1)
+
     def error(self, name: str) -> float:
         """Standard error of a parameter; 0 if it is fixed."""
         names = self.problem.parameters
@@ -102,6 +107,14 @@ def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: in
         if all(_stays(old, new, problem.step) for old, new in zip(before, settled)):
             break
     return Solved(problem, value, _covariance(answer.jac), 2 * float(answer.cost), int(sum(rows)), before)
+
+
+def converged(problem: Problem, value: dict[str, float], **most: int) -> Solved | None:
+    """The same; None where it doesn't converge."""
+    try:
+        return solved(problem, value, **most)
+    except (ValueError, np.linalg.LinAlgError):
+        return None
 
 
 def coarse(problem: Problem) -> Problem:

@@ -39,14 +39,14 @@ class _Rival:
 
 def likeliest(found: Sequence[Solved]) -> tuple[Solved, str | None]:
     """(The likeliest of fits of the same recording as one leg, both rigs in words if that of another is nearly as likely)."""
-    different = _different(sorted(found, key=_per_row))
+    different = _different(sorted(found, key=lambda one: one.per_row))
     if len(different) == 1:
         return different[0], None
     rivals = [_rival(one) for one in different]
-    least = min(_per_row(one.continued) for one in rivals)
-    rivals = [one for one in rivals if _per_row(one.continued) <= HOPELESS * least]
+    least = min(one.continued.per_row for one in rivals)
+    rivals = [one for one in rivals if one.continued.per_row <= HOPELESS * least]
     until = min(one.until for one in rivals)
-    best = min(rivals, key=lambda one: _per_row(one.continued))
+    best = min(rivals, key=lambda one: one.continued.per_row)
     noise, more = levels(best.continued)
     costs = [_unlikely(one.continued, until, noise, more) for one in rivals]
     best = rivals[int(np.argmin(costs))]
@@ -63,14 +63,10 @@ def likeliest(found: Sequence[Solved]) -> tuple[Solved, str | None]:
 
 def _rival(fit: Solved) -> _Rival:
     continued = _continued(fit)
-    if contact_samples(fit) < FEW_IN_CONTACT and _per_row(continued) > HOPELESS * _per_row(fit):
+    if contact_samples(fit) < FEW_IN_CONTACT and continued.per_row > HOPELESS * fit.per_row:
         return _Rival(fit, fit)  # where few samples tell the restitution, the next impact may be off by a contact, and this says nothing
     before, after = (identified_from(one, likeness_of(one)) for one in (fit, continued))
     return _Rival(continued if _apart(before, after) else fit, continued)
-
-
-def _per_row(one: Solved) -> float:
-    return one.cost / max(one.rows, 1)
 
 
 def _different(found: Iterable[Solved]) -> list[Solved]:

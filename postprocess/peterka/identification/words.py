@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .channels import channel_words
+from .channels import SURE, reference
 from .fit import Fit
 from .flights_alone import contact_samples
 from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
@@ -10,6 +10,7 @@ from .one_mode import share_words
 from .recording import Recording
 
 MUCH_LEFT = 3  # multiple of the noise
+UNITS = {"force": (1.0, "N"), "acceleration": (1.0, "m/s²"), "displacement": (1e3, "mm")}
 
 
 def number_text(number: Number) -> str:
@@ -47,7 +48,7 @@ def recording_lines(fit: Fit) -> list[str]:
     signals = " and ".join(recording.signals)
     lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
              f"impact{'s' * (impacts != 1)}" + _missing(recording)]
-    lines += [f"  {reason}" for reason in (*fit.unused, *channel_words(fit.solved, fit.likeness), *fit.doubts)]
+    lines += [f"  {reason}" for reason in (*fit.unused, *channel_lines(fit), *fit.doubts)]
     if fit.solved.problem.unseen:
         lines.append(f"  contacts last for about {contact_samples(fit.solved):.2g} samples, which a logger's filter changes: they aren't used, and "
                      "the flights tell the contact time")
@@ -57,6 +58,21 @@ def recording_lines(fit: Fit) -> list[str]:
         lines.append(f"  in contact {fit.misfit:.2g} times as much is left as elsewhere: the stop is more than a spring and a dashpot, "
                      "or the sensor rings; errors allow for it as far as neighbouring samples show it")
     return lines
+
+
+def channel_lines(fit: Fit) -> list[str]:
+    """The errors of channels that a Fit has found."""
+    found, problem, lines = fit.solved, fit.solved.problem, []
+    for name in problem.names:
+        (factor, unit), late, error = UNITS[name.removeprefix("cart_")], problem.delay(found.value, name), problem.step * fit.error(f"delay_{name}")
+        if abs(late) > SURE * error > 0:
+            lines.append(f"{name} comes {1e3 * abs(late):.4g} ± {1e3 * error:.2g} ms {'later' if late > 0 else 'earlier'} than {reference(problem)}")
+        if f"drift_{name}" in problem.channels:
+            lines.append(f"{name} drifts by {factor * problem.ranges[name] * found.value[f'drift_{name}']:.3g} {unit} over the recording")
+        if f"hum_cos_{name}" in problem.channels:
+            size = factor * problem.ranges[name] * np.hypot(found.value[f"hum_cos_{name}"], found.value[f"hum_sin_{name}"])
+            lines.append(f"{name} hums with the mains, {problem.mains:.0f} Hz, with an amplitude of {size:.3g} {unit}")
+    return [f"{line}: fitted, too" for line in lines]
 
 
 def _missing(recording: Recording) -> str:
