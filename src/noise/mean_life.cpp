@@ -58,13 +58,12 @@ double longest_patience(const Home& home) {
 
 class Walk {
   public:
-    Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
-        : map_(map), home_(home), random_(seed), quiet_before_(map.quiet_cycles()) {}
+    Walk(DisturbedMap& map, const Home& home, std::uint64_t seed) : map_(map), home_(home), random_(seed) {}
 
     [[nodiscard]] Walker begin() { return {.motion = {home_.first_point()}}; }
-    // Computed so far, in disturbed cycles.
+    // Computed with this map so far, in disturbed cycles.
     [[nodiscard]] std::int64_t cycles() const {
-        return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
+        return changes_ / map_.changes_per_cycle() + map_.quiet_cycles() / quiet_as_disturbed;
     }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
     // Mean number of cycles away from home from one question whether it returns to the next, and how uncertain
@@ -126,7 +125,6 @@ class Walk {
     RandomNumbers random_;
     double patience_ = 1;
     double variance_ = 0;
-    std::int64_t quiet_before_;
     std::int64_t changes_ = 0;
     std::vector<scene::State<double>> elsewhere_;
 };
@@ -242,14 +240,14 @@ Path follow_path(Walk& walk, Walker walker, std::size_t departure, std::int64_t 
 }
 
 struct Probability {
-    double mean = 1;
-    double variance = infinitely_far;  // relative
+    double mean;
+    double variance;  // relative
 };
 
 // Of a departure from home.
 struct Split {
     std::optional<Probability> leaves;
-    Probability gets_far;  // as far as is known well
+    std::optional<Probability> gets_far;  // as far as is known well
 };
 
 double median_furthest(const std::vector<Path>& paths) {
@@ -334,9 +332,9 @@ std::optional<MeanLife> life_by_splitting(Walk& walk, const Followed& first, std
         const double mean = 1 / (departures_per_cycle * found->leaves->mean);
         return MeanLife{.mean = mean, .error = mean * error};
     }
-    if (first.lives == 0 && found->gets_far.variance <= known_well) {
+    if (first.lives == 0 && found->gets_far) {
         const double most =
-            found->gets_far.mean * (1 + 2 * std::sqrt(found->gets_far.variance + 1 / departures));
+            found->gets_far->mean * (1 + 2 * std::sqrt(found->gets_far->variance + 1 / departures));
         life.least = std::max(1 / (departures_per_cycle * most), life.least);
     }
     return life;

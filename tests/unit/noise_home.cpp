@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "noise_cases.hpp"
+#include "rigid_rig.hpp"
 
 namespace peterka::noise {
 namespace {
@@ -150,6 +151,22 @@ TEST(Home, TakesBackWhatIsNearAndNothingFromAnotherMotion) {
     EXPECT_TRUE(free->takes_back(both, swing.point, elsewhere).value());
     EXPECT_FALSE(elsewhere.empty());
     EXPECT_FALSE(free->takes_back(both, strikes.point, elsewhere).value());
+}
+
+// A stop without restitution that presses at phase 0 holds the hammer there, whatever disturbed it before.
+TEST(Home, AHammerHeldByTheStopIsAtHomeThereAlone) {
+    const scene::Oscillator<double> oscillator = peterka::testing::rigid(0, 0.6, -0.3, 0.05);
+    DisturbedMap map(oscillator, {}, white(0.01));
+    State state(0, 0);
+    for (int n = 0; n < 20; ++n) state = *map.at_next_phase_0({state});
+    ASSERT_EQ(state, State(0, 0));
+    const auto home = Home::of(map, state, 1);
+    ASSERT_TRUE(home);
+    EXPECT_EQ(home->covariance(0), scene::Jacobian<double>::Zero());
+    EXPECT_EQ(home->distance(state), 0);
+    EXPECT_LT(home->distance(State(-1e-8, 1e-8)), 1);
+    EXPECT_GT(home->distance(State(0, -1e-3)), 1e3);
+    EXPECT_GT(home->distance(State(-1e-3, 0)), 1e3);
 }
 
 // Of this basin 4 or 5 in a thousand states half a standard deviation away return only after more than 500

@@ -260,6 +260,19 @@ TEST(DisturbedLife, WhereNothingLeavesItTellsHowLongItLastsAtLeast) {
     EXPECT_NEAR(followed->least, 1000, 1e-9);  // with 95 % probability three would have been seen
 }
 
+// As many cycles without an end tell a third of their number; how rarely paths get far tells more.
+TEST(DisturbedLife, WhereNoPathLeavesHowFarTheyGetTellsThatItLastsLonger) {
+    DisturbedMap map(testing::one_in_three().oscillator, {}, white(1e-4));
+    const auto home = Home::of(map, testing::one_in_three().point, 3);
+    ASSERT_TRUE(home);
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto life = mean_life(map, *home, 60'000, seed);
+        ASSERT_TRUE(life);
+        EXPECT_TRUE(std::isnan(life->mean));
+        EXPECT_GT(life->least, 1.5 * 60'000 / 4 / 3) << seed;
+    }
+}
+
 // Of a large swing rounding is larger: paths end with the budget, if it never seems home.
 TEST(DisturbedLife, DisturbancesBelowRoundingEndNothing) {
     const testing::Settled motion = testing::free_motion(1.5, 1e6);
