@@ -65,7 +65,7 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
         counts.proofs.add(each, each.peak_force);
         if (cell.computed) counts.lives.add(each, place.row, place.column);
     }
-    add_kick(counts.kicks, all);
+    add_kick(counts.kicks, all, place);
     const auto first = std::ranges::find_if(here, is_resolved);
     if (first == here.end()) return;
     const auto second = std::ranges::find_if(first + 1, here.end(), is_resolved);
@@ -111,7 +111,7 @@ void add_attractors(StartFindings& findings, const parallel::Tile& tile,
         const parallel::CellIndex place{tile.row + position / tile.extent.columns,
                                         tile.column + position % tile.extent.columns};
         if (slots == 0) {
-            add_kick(findings.counts.kicks, cells[cell]);
+            add_kick(findings.counts.kicks, cells[cell], place);
             if (cells[cell].computed) findings.counts.lives.add(cells[cell], place.row, place.column);
         }
         here.clear();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "report/axis_words.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -20,9 +21,17 @@ std::string none_found(const findings::KickCounts& counts) {
                          : fmt::format("none found up to {} to {}, by cell", least, most);
 }
 
+std::string smallest(const scene::Scene& scene, const findings::KickCounts& counts) {
+    return fmt::format("a kick leads elsewhere, the smallest one found {} at phase {:.3f} cycles, at {}{}",
+                       readable_amount(counts.smallest, "m/s", 3), counts.phase,
+                       place_in_words(scene, counts.row, counts.column),
+                       counts.by_rounding != 0 ? ", where rounding may decide the label" : "");
+}
+
 }  // namespace
 
-std::string kicks_summary(const job::Job& job, const findings::KickCounts& counts) {
+std::string kicks_summary(const scene::Scene& scene, const findings::KickCounts& counts) {
+    const job::Job& job = scene.job();
     if (!job.output.has(job::OptionalField::critical_kick)) return "";
     const std::string head = "\nWhat throws the settled hammer out of its orbit\n";
     if (counts.kicked == 0) return head + "  no cell has an orbit\n";
@@ -30,9 +39,7 @@ std::string kicks_summary(const job::Job& job, const findings::KickCounts& count
     return head +
            fmt::format("  kicks at all phases of the orbit, in {} {}{}\n", readable_count(counts.kicked),
                        counts.kicked == 1 ? "cell" : "cells", which) +
-           line(counts.thrown, counts.kicked,
-                fmt::format("a kick leads elsewhere, the smallest one found {} at phase {:.3f} cycles",
-                            readable_amount(counts.smallest, "m/s", 3), counts.phase)) +
+           line(counts.thrown, counts.kicked, counts.thrown == 0 ? "" : smallest(scene, counts)) +
            line(counts.kicked - counts.thrown - counts.alone, counts.kicked, none_found(counts)) +
            line(counts.alone, counts.kicked, "one motion alone is known, and " + none_found(counts)) +
            line(counts.bounded, counts.kicked,

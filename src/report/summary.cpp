@@ -167,7 +167,7 @@ std::string summary_text(const SummaryInput& input) {
            long_chaos(input.scene, input.findings.statistics) +
            starts_summary(input.scene, input.findings.statistics.starts) +
            outcomes_summary(input.scene.job(), input.findings.statistics.outcomes) +
-           kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
+           kicks_summary(input.scene, input.findings.statistics.starts.counts.kicks) +
            lives_summary(input.scene, input.findings.statistics.starts.counts.lives) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            elasticities_summary(input.scene.job(), input.findings.statistics) +

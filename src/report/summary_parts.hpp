@@ -31,7 +31,7 @@ namespace peterka {
 [[nodiscard]] std::string starts_summary(const scene::Scene& scene, const findings::StartFindings& findings);
 
 // The kicks that the settled motions of a map withstand.
-[[nodiscard]] std::string kicks_summary(const job::Job& job, const findings::KickCounts& counts);
+[[nodiscard]] std::string kicks_summary(const scene::Scene& scene, const findings::KickCounts& counts);
 
 // How long settled motions last under the disturbances of [noise].
 [[nodiscard]] std::string lives_summary(const scene::Scene& scene, const findings::LifeFindings& all);
