@@ -87,6 +87,9 @@ def shuffled(mutants: list[Mutant], seed: int) -> list[Mutant]:
     return sorted(mutants, key=lambda mutant: hashlib.sha1(f"{seed} {mutant.key}".encode()).digest())
 
 
+BEFORE = re.compile(r"(\|\||[?:]|return) |[-+*/%&|^]?=[ \n]")  # an operand of || or &&
+
+
 def operand_begin(code: str, place: int) -> int:
     """Where the operand of || or && that ends here begins."""
     depth, index = 0, place
@@ -100,7 +103,7 @@ def operand_begin(code: str, place: int) -> int:
             if depth == 0:
                 return index + 1
             depth -= 1
-        elif depth == 0 and (code[index] in ";," or code.startswith(("|| ", "? ", ": ", "= ", "=\n", "return "), index) and code[index - 1] in " \n\t"):
+        elif depth == 0 and (code[index] in ";," or code[index - 1] in " \n\t" and BEFORE.match(code, index)):
             return index + len(re.match(r"\w+|\W+?(?=[ ;,\w(]|$)", code[index:]).group())
     return 0
 
