@@ -63,6 +63,14 @@ def test_a_trace_opens_in_xarray(trace):
         assert xarray.open_dataset(trace[0], group=group)[line].dims == ("frequency",)
 
 
+@pytest.mark.parametrize("milliseconds", [0.5, 8, 100])
+def test_the_hardest_impact_is_seen_for_as_long_as_asked(tmp_path, milliseconds):
+    """Also for less than 35 ms, the unit of the program's own time."""
+    path, _ = compute(tmp_path, jobs.trace(2.0, settings=f"impact_window_s = {1e-3 * milliseconds}"))
+    times = xarray.open_dataset(path, group="impact").time_from_touch.values
+    assert times[-1] - times[0] == pytest.approx(1e-3 * milliseconds, rel=1e-9)
+
+
 def test_the_impacts_of_a_trace_hold_together(trace):
     impacts = xarray.open_dataset(trace[0], group="impacts")
     close = xarray.open_dataset(trace[0], group="impact")

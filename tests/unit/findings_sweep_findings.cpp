@@ -184,6 +184,20 @@ TEST(SweepSummary, IsInHertzMillimetresAndNewtonsWhereTheJobIs) {
     EXPECT_EQ(text.find("Omega"), std::string::npos) << text;
 }
 
+// Along an amplitude a gap is one ratio or one length, and told as that.
+TEST(SweepSummary, TellsOfAGapWhatAnAxisLeavesTheSame) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1e-3, .to = 2e-3, .points = 6, .over = "cart.amplitude_m"};
+    job.sweep = {.gap_ratio = {0.5}, .direction = job::Direction::both};
+    const std::vector<BranchFindings> branches{rising(), falling()};
+    const std::string of_ratio = sweep_summary(scene::Scene(job), branches);
+    EXPECT_NE(of_ratio.find("\nGap/A0 0.5\n"), std::string::npos) << of_ratio;
+    job.sweep = {.gap_ratio = {}, .gap_m = {1.5e-3}, .direction = job::Direction::both};
+    const std::string of_length = sweep_summary(scene::Scene(job), branches);
+    EXPECT_NE(of_length.find("\nGap 1.5 mm\n"), std::string::npos) << of_length;
+}
+
 TEST(SweepSummary, TellsEachHysteresisAndTheMotionsAtItsEnds) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;

@@ -56,6 +56,12 @@ TEST_F(UnreadableJob, Folder) {
               folder_.string() + ": this is a folder; a job is one TOML file; name the file inside it");
 }
 
+// A file whose first byte the system refuses to read, for its address is no one's.
+TEST_F(UnreadableJob, AFileThatCannotBeRead) {
+    EXPECT_EQ(complaint_about("/proc/self/mem"),
+              "/proc/self/mem: cannot be read; the system says: Input/output error; check its permissions");
+}
+
 TEST_F(UnreadableJob, PathThroughAFile) {
     const auto path = written("file", "x") / "job.toml";
     EXPECT_EQ(complaint_about(path),

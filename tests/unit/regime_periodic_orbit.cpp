@@ -15,6 +15,14 @@
 namespace peterka::regime {
 namespace {
 
+// Not the lowest velocity, also where that is lower than each position.
+TEST(PeriodicOrbit, BeginsAtItsLowestPoint) {
+    PeriodicOrbit orbit;
+    orbit.points = {Point(1, -5), Point(2, 4), Point(0, 3)};
+    EXPECT_EQ(put_lowest_point_first(orbit), 2U);
+    EXPECT_EQ(orbit.points, (Points{Point(0, 3), Point(1, -5), Point(2, 4)}));
+}
+
 // From the stable 1/1 at 2.5 on, with each orbit as the initial guess for the next.
 struct Followed {
     std::optional<PeriodicOrbit> orbit;

@@ -43,6 +43,15 @@ TEST(Release, DecaysFreely) {
     }
 }
 
+// As in a map: with what the term would change, and not because there is one.
+TEST(Release, OmitsACubicSpringThatChangesNothing) {
+    job::Job job = release(-3, 10, 1.0);
+    job.hammer.cubic_stiffness_n_per_m3 = 238.2325;
+    EXPECT_EQ(make_trace(scene::Scene(job)).course.oscillator.cubic, 0);
+    job.hammer.cubic_stiffness_n_per_m3 = 1e3 * 238.2325;
+    EXPECT_GT(make_trace(scene::Scene(job)).course.oscillator.cubic, 0);
+}
+
 // On a stop so stiff that the springs have no effect during the collision; at gap 0 without damping of the
 // springs the hammer returns as fast as it left.
 TEST(Release, StrikesAsAFreeMassDoes) {

@@ -98,6 +98,13 @@ TEST(SplitError, OfASingleCycleIsThatOfTheCycleItself) {
     const auto told = split_error(map, start, 1);
     EXPECT_NEAR(told.end[0], 4.0 / 3 * difference[0], 1e-15);
     EXPECT_NEAR(told.end[1], 4.0 / 3 * difference[1], 1e-15);
+    Recorder<double> coarse;
+    Recorder<double> fine;
+    static_cast<void>(map(start, &coarse));
+    static_cast<void>(SplitCycleMap<double>(oscillator, 64)(start, &fine));
+    const double forces = coarse.totals().peak_force() / fine.totals().peak_force() - 1;
+    ASSERT_GT(std::abs(forces), 1e-10);
+    EXPECT_NEAR(told.peak_force, 4.0 / 3 * std::abs(forces), 1e-15);
 }
 
 }  // namespace
