@@ -32,14 +32,21 @@ std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const O
     return found;
 }
 
-std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
-                                          const OrbitFault& fault) {
+// A grazing within a step, and the branch's own point there, with the events that it has up to there.
+struct Grazing {
+    OrbitPoint motion;
+    OrbitPoint end;
+};
+
+std::optional<Grazing> grazing_between(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
+                                       const OrbitFault& fault) {
     const auto settle = [&](const OrbitPoint& guess) {
         return solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     };
     if (fault.kind == OrbitFault::Kind::pierces) {
         const auto grazing = settle(with_grazing(to, fault));
-        return grazing && is_impact_before_it(stepper.rig(), *grazing) ? std::nullopt : grazing;
+        if (!grazing || is_impact_before_it(stepper.rig(), *grazing)) return std::nullopt;
+        return Grazing{*grazing, without_grazing(*grazing)};
     }
     const double before = from.orbit.events[fault.event].velocity;
     const double after = to.orbit.events[fault.event].velocity;
@@ -48,7 +55,8 @@ std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoi
                             stepper.conditions_and(Condition::at_rest(fault.event)));
     if (!slow) return std::nullopt;
     const auto reshaped = grazing_in_place_of(stepper.rig(), *slow, fault.event);
-    return reshaped ? settle(*reshaped) : std::nullopt;
+    const auto grazing = reshaped ? settle(*reshaped) : std::nullopt;
+    return grazing ? std::optional(Grazing{*grazing, *slow}) : std::nullopt;
 }
 
 // Whether a test function of equal sign at both ends of a step may vanish in between, judged by the parabola
@@ -63,15 +71,14 @@ bool may_vanish(double from, double middle, double to) {
     return std::abs(from) - fall * fall / (8 * bend) < near * ends;
 }
 
-// Whether a step with no event at its end may have passed over two that cancel: a period doubling and its
-// reverse, or an impact gained and lost again.
-bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, bool merges) {
+// Whether a step with no event at its end, or none but a grazing, may have passed over two that cancel: a
+// period doubling and its reverse, or an impact gained and lost again.
+bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
     const auto middle = solve(stepper.rig(), between(from, to, 0.5), stepper.window(), stepper.conditions());
     if (!middle) return true;
     const OrbitFault::Kind fault = find_fault(stepper.rig(), *middle).kind;
     if (fault == OrbitFault::Kind::pierces || fault == OrbitFault::Kind::slow) return true;
     return std::ranges::any_of(std::array{1, -1}, [&](int sign) {
-        if (merges && sign > 0) return false;
         return may_vanish(bifurcation_of(stepper, from, sign), bifurcation_of(stepper, *middle, sign),
                           bifurcation_of(stepper, to, sign));
     });
@@ -131,21 +138,30 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
         nearest = distance;
         judged.seed = Seed{kind, *point};
     };
+    // Beyond a grazing the branch is that of no motion: a multiplier may come back there from what it has
+    // crossed before.
+    std::optional<Grazing> grazing;
+    if (fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow) {
+        grazing = grazing_between(stepper, from, to, fault);
+        judged.lost = !grazing;
+    }
+    const OrbitPoint& end = grazing ? grazing->end : to;
     const bool merges = by_multipliers && halves_meet(stepper, from, to);
     if (merges) offer(merging_orbit(stepper, from, to), CurveKind::period_doubling);
-    for (const int sign : {1, -1}) {
-        const bool crosses =
-            (bifurcation_of(stepper, from, sign) > 0) != (bifurcation_of(stepper, to, sign) > 0);
-        if (!by_multipliers || !crosses) continue;
-        if (merges && sign > 0) continue;  // det(M - I) touches 0 at the merging; rounding may flip its sign
-        offer(crossing_of_multiplier(stepper, from, to, sign),
-              sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
+    bool crosses_any = false;
+    if (by_multipliers) {
+        for (const int sign : {1, -1}) {
+            if (merges && sign > 0)
+                continue;  // det(M - I) touches 0 at the merging; rounding may flip its sign
+            if ((bifurcation_of(stepper, from, sign) > 0) == (bifurcation_of(stepper, end, sign) > 0)) continue;
+            crosses_any = true;
+            offer(crossing_of_multiplier(stepper, from, end, sign),
+                  sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
+        }
     }
-    if (fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow) {
-        offer(grazing_between(stepper, from, to, fault), CurveKind::grazing);
-    }
-    if (by_multipliers && !judged.seed && !judged.lost)
-        judged.lost = may_hide_events(stepper, from, to, merges);
+    if (grazing && !crosses_any) offer(grazing->motion, CurveKind::grazing);
+    if (by_multipliers && !crosses_any && !merges && !judged.lost)
+        judged.lost = may_hide_events(stepper, from, end);
     if (judged.lost) judged.seed.reset();
     if (judged.seed) {
         judged.seed = sound(stepper, *judged.seed);

@@ -110,6 +110,13 @@ OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced) {
     return result;
 }
 
+OrbitPoint without_grazing(const OrbitPoint& grazing) {
+    OrbitPoint result = grazing;
+    std::vector<Event>& events = result.orbit.events;
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(result.orbit.grazing()));
+    return result;
+}
+
 bool is_impact_before_it(const Rig& rig, const OrbitPoint& grazing) {
     constexpr double together = 1e-3;  // of the orbit's duration; solved for, they come as close as 1e-4
     const Orbit& orbit = grazing.orbit;

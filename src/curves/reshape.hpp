@@ -26,6 +26,8 @@ namespace peterka::curves {
 
 // The point with a grazing added where a flight reaches furthest.
 [[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced);
+// The same motion without its grazing as an event.
+[[nodiscard]] OrbitPoint without_grazing(const OrbitPoint& grazing);
 
 // Whether the grazing is no other event than the impact before it: an impact that takes all speed (r = 0)
 // leaves the hammer at rest on the stop, as a grazing does. There it begins to stick, and gains no impact.

@@ -14,6 +14,11 @@ struct MapExample {
 
     MapExample(const job::Axis& frequency_ratio, const job::Axis& gap_ratio)
         : MapExample(job_of(frequency_ratio, gap_ratio)) {}
+    explicit MapExample(const job::Job& job) : scene(job), rig(job) {
+        std::vector<curves::Numbers> parts;
+        for (std::int64_t part = 0; part < map.parts(); ++part) parts.push_back(map.solve(part));
+        map.put_together(parts);
+    }
     MapExample(const MapExample&) = delete;
     MapExample& operator=(const MapExample&) = delete;
 
@@ -26,12 +31,6 @@ struct MapExample {
         return row * map.columns() + column;
     }
 
-  private:
-    explicit MapExample(const job::Job& job) : scene(job), rig(job) {
-        std::vector<curves::Numbers> parts;
-        for (std::int64_t part = 0; part < map.parts(); ++part) parts.push_back(map.solve(part));
-        map.put_together(parts);
-    }
     static job::Job job_of(const job::Axis& frequency_ratio, const job::Axis& gap_ratio) {
         job::Job job = job_170mm(0);
         job.kind = job::Kind::curves;

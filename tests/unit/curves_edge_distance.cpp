@@ -78,6 +78,34 @@ TEST(EdgeDistance, OfAColumnIsToItsFold) {
     EXPECT_EQ(testing::solve(rig_at(1.9, 0.1 + along[0].change + 0.005)).regime, regime::Regime::no_impact);
 }
 
+// On a rigid stop a multiplier falls to minus infinity where an impact becomes a grazing, and beyond, where the
+// equations describe no motion, comes back from infinity: the period doubles at 0.718 of the way there.
+TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoublesBeforeItGrazes) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::curves;
+    job.contact = job::Restitution{0};
+    job.hammer.damping_ns_per_m =
+        2 * 0.04741211231793658 * std::sqrt(job.hammer.stiffness() * job.hammer.mass_kg);
+    job.columns = {0.7488097959240669, 0.76, 2};
+    job.rows = {1.1786750273656639, 1.2, 2};
+    job.start = {-0.1, 0};
+    const testing::MapExample one(job);
+    ASSERT_EQ(one.map.site(0).impacts, 3);
+    ASSERT_EQ(one.map.site(0).period, 4);
+    const EdgeDistance along = edge_distances(one.map, one.rig, 4, {false, 0})[0];
+    EXPECT_EQ(along.kind, EdgeKind::period_doubling);
+    EXPECT_NEAR(along.change, 0.0016128129709, 1e-9);
+    scene::Oscillator<double> oscillator = one.scene.cell(0, 0).oscillator;
+    const auto solved_at = [&](double share) {
+        oscillator.gap = job.rows.from + share * along.change;
+        return testing::solve(oscillator, -0.1);
+    };
+    EXPECT_EQ(solved_at(0.9).period, 4);
+    EXPECT_EQ(solved_at(0.9).impacts, 3);
+    EXPECT_GT(solved_at(0.9).multiplier, 0.8);
+    EXPECT_NE(solved_at(1.05).period, 4);
+}
+
 TEST(EdgeDistance, IsNoneWhereNothingEndsInTheWindow) {
     for (const EdgeDistance& each : {column(0)[0], column(0)[5], column(10)[2]}) {
         EXPECT_EQ(each.kind, EdgeKind::none);
