@@ -78,32 +78,51 @@ TEST(EdgeDistance, OfAColumnIsToItsFold) {
     EXPECT_EQ(testing::solve(rig_at(1.9, 0.1 + along[0].change + 0.005)).regime, regime::Regime::no_impact);
 }
 
-// On a rigid stop a multiplier falls to minus infinity where an impact becomes a grazing, and beyond, where the
-// equations describe no motion, comes back from infinity: the period doubles at 0.718 of the way there.
-TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoublesBeforeItGrazes) {
+// A map whose first cell is here, on a stop that takes all speed.
+testing::MapExample on_a_plastic_stop(double frequency, double gap) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::curves;
     job.contact = job::Restitution{0};
     job.hammer.damping_ns_per_m =
         2 * 0.04741211231793658 * std::sqrt(job.hammer.stiffness() * job.hammer.mass_kg);
-    job.columns = {0.7488097959240669, 0.76, 2};
-    job.rows = {1.1786750273656639, 1.2, 2};
+    job.columns = {frequency, frequency + 0.01, 2};
+    job.rows = {gap, gap + 0.02, 2};
     job.start = {-0.1, 0};
-    const testing::MapExample one(job);
+    return testing::MapExample(job);
+}
+
+// The motion of that cell's start, at a part of the way to the edge that is told of its gap.
+regime::CellResult solved_at(const testing::MapExample& one, const EdgeDistance& edge, double part) {
+    scene::Oscillator<double> oscillator = one.scene.cell(0, 0).oscillator;
+    oscillator.gap += part * edge.change;
+    return testing::solve(oscillator, -0.1);
+}
+
+// A multiplier falls to minus infinity where an impact becomes a grazing, and beyond, where the equations
+// describe no motion, comes back from infinity: the period doubles at 0.718 of the way there.
+TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoublesBeforeItGrazes) {
+    const testing::MapExample one = on_a_plastic_stop(0.7488097959240669, 1.1786750273656639);
     ASSERT_EQ(one.map.site(0).impacts, 3);
     ASSERT_EQ(one.map.site(0).period, 4);
-    const EdgeDistance along = edge_distances(one.map, one.rig, 4, {false, 0})[0];
-    EXPECT_EQ(along.kind, EdgeKind::period_doubling);
-    EXPECT_NEAR(along.change, 0.0016128129709, 1e-9);
-    scene::Oscillator<double> oscillator = one.scene.cell(0, 0).oscillator;
-    const auto solved_at = [&](double share) {
-        oscillator.gap = job.rows.from + share * along.change;
-        return testing::solve(oscillator, -0.1);
-    };
-    EXPECT_EQ(solved_at(0.9).period, 4);
-    EXPECT_EQ(solved_at(0.9).impacts, 3);
-    EXPECT_GT(solved_at(0.9).multiplier, 0.8);
-    EXPECT_NE(solved_at(1.05).period, 4);
+    const EdgeDistance edge = edge_distances(one.map, one.rig, 4, {false, 0})[0];
+    EXPECT_EQ(edge.kind, EdgeKind::period_doubling);
+    EXPECT_NEAR(edge.change, 0.0016128129709, 1e-9);
+    EXPECT_EQ(solved_at(one, edge, 0.9).period, 4);
+    EXPECT_EQ(solved_at(one, edge, 0.9).impacts, 3);
+    EXPECT_GT(solved_at(one, edge, 0.9).multiplier, 0.8);
+    EXPECT_NE(solved_at(one, edge, 1.05).period, 4);
+}
+
+// Beyond the fold the branch turns back, to a grazing that is nearer.
+TEST(EdgeDistance, OfAnOrbitIsToItsFoldBeforeAGrazing) {
+    const testing::MapExample one = on_a_plastic_stop(0.7896775821831176, 1.3740133087077377);
+    ASSERT_EQ(one.map.site(0).impacts, 2);
+    ASSERT_EQ(one.map.site(0).period, 2);
+    const EdgeDistance edge = edge_distances(one.map, one.rig, 4, {false, 0})[0];
+    EXPECT_EQ(edge.kind, EdgeKind::fold);
+    EXPECT_NEAR(edge.change, 0.0023081658894, 1e-9);
+    EXPECT_EQ(solved_at(one, edge, 0.99).impacts, 2);
+    EXPECT_EQ(solved_at(one, edge, 1.01).impacts, 1);
 }
 
 TEST(EdgeDistance, IsNoneWhereNothingEndsInTheWindow) {
