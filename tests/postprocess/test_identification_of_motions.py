@@ -152,6 +152,28 @@ def test_a_clipped_displacement_is_told(tmp_path, run_program, sign):
     assert code == 2 and f"is clipped: its displacement is {sign * least:.4g}, and never beyond" in err, err
 
 
+@pytest.mark.parametrize("share, noise", [(0.8, 0.0), (0.8, 0.005), (0.98, 0.0), (0.98, 0.0005)])
+@pytest.mark.parametrize("names", [("force", "displacement"), ("displacement",)])
+def test_a_displacement_that_is_clipped_at_the_release_is_told(share, names, noise):
+    """Let go beyond its range."""
+    _, columns = release()
+    columns = noisy(columns, names, noise, 1)
+    most = -share * np.min(columns["displacement"])
+    columns["displacement"] = np.clip(columns["displacement"], -most, most)
+    with pytest.raises(PeterkaFileError, match=f"is clipped: its displacement is -{most:.4g} for [0-9]+ samples, from which it leaves with speed"):
+        look(Recording(Path("simulated"), 0.0, 1 / RATE, columns))
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.005])
+@pytest.mark.parametrize("held", [0, 5, 3000])
+def test_a_hammer_that_leaves_from_rest_is_not_clipped(held, noise):
+    _, columns = release()
+    displacement = noisy(columns, ["displacement"], noise, 1)["displacement"]
+    columns = {"force": columns["force"], "displacement": displacement}
+    columns = {name: np.concatenate([np.full(held, values[0]), values]) for name, values in columns.items()}
+    assert look(Recording(Path("simulated"), 0.0, 1 / RATE, columns)).pulses
+
+
 def test_a_hammer_that_is_held_and_comes_to_rest_at_the_stop_is_not_clipped():
     """At gap 0, in steps of a twentieth of its swing."""
     _, columns = simulate(replace(HAMMER, gap=0.0), 0.3, RATE)

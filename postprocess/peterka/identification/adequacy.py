@@ -71,7 +71,8 @@ def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impac
         chance, more = _impacts_left(found, begun.alone)
         if chance < CHANCE:
             raise PeterkaFileError(f"{recording.path} isn't {what}: its impacts are off the nearest one by {more:.3g} times what they are off a "
-                              f"spring and a dashpot by themselves, which noise does in less than one of {1 / CHANCE:.0e} cases. {_hint(given)}")
+                              f"spring and a dashpot by themselves, which noise does in less than one of {1 / CHANCE:.0e} cases. Sensors that are too slow for the "
+                              f"contacts, ring, or have another sensitivity than told do it, too. {_hint(given)}")
     for name in found.problem.names:
         chance, share = _between_left(found, name)
         if chance < CHANCE and share > LEAST_SWING:

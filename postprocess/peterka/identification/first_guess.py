@@ -19,6 +19,9 @@ FLAT_TOP = 0.15  # of the width of a pulse: a flat top longer than this was clip
 FEWEST_CLIPPED = 4  # samples at a signal's end of range
 HEAPED = 5.0  # times as many there as at the next value: a smooth top has 2.4 on average, if rounding doesn't heap it
 BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: recording length over the averaging window
+FAR_NOISE, FAR_STEPS, FAR_RANGE = 20, 10, 0.01  # standard deviations, smallest steps, of the range: how far a displacement must have left
+FEWEST_LEAVING = 8  # samples on that way
+LEAVES_WITH_SPEED = 0.37  # of the way in half the time, between 1/4 and 1/2
 REACH = 0.1  # of its peak: level at which a pulse begins and ends
 LOOKED_AT = 1_000_000  # samples at most for a median
 AT_ONCE = 1_000_000
@@ -92,6 +95,7 @@ def look(recording: Recording, calm: Recording | None = None) -> Guess:
             guess.signs["displacement"] = _sign_of_displacement(signals["displacement"], hardest)
     guess.signs.update({name: 1 for name in signals if name.startswith("cart_")})
     _refuse_heaped(recording, guess)
+    _refuse_clipped_start(recording, guess)
     return guess
 
 
@@ -204,6 +208,25 @@ def _refuse_heaped(recording: Recording, guess: Guess) -> None:
         if times:
             raise PeterkaFileError(f"{recording.path} is clipped: its {name} is {end * last:.4g}, and never beyond, in {times} samples; record with a "
                               "larger range")
+
+
+def _refuse_clipped_start(recording: Recording, guess: Guess) -> None:
+    """Raises PeterkaFileError where a displacement stays at its first value and leaves it with speed: it then comes half as far in half the time,
+    and a hammer that was held there, and leaves from rest, a quarter."""
+    if "displacement" not in recording.signals:
+        return
+    values = np.asarray(recording.signals["displacement"][:min(guess.pulses[0].first, AT_ONCE)], dtype=float)
+    away = np.abs(values - values[0]) if len(values) else values
+    run = int(np.argmax(away > 0)) if len(away) else 0
+    noise = 1.4826 * float(np.median(np.abs(np.diff(values[run:], 2)))) / np.sqrt(6) if len(values) > run + 2 else 0.0
+    far = max(FAR_NOISE * noise, FAR_STEPS * guess.resolution["displacement"], FAR_RANGE * guess.ranges["displacement"])
+    end = max(int(np.argmax(away > far)) if len(away) else 0, run + FEWEST_LEAVING)
+    if run < FEWEST_CLIPPED or not end < len(away) or not away[end] > far:
+        return
+    middle = (run + end) // 2
+    if np.mean(away[middle - 1:middle + 2]) > LEAVES_WITH_SPEED * away[end]:
+        raise PeterkaFileError(f"{recording.path} is clipped: its displacement is {values[0]:.4g} for {run} samples, from which it leaves with speed; "
+                          "record with a larger range, or cut that out with --from")
 
 
 def _heap(values: Reals) -> tuple[float, int]:
