@@ -13,7 +13,16 @@ namespace peterka::curves {
 namespace {
 
 double bifurcation_of(const Stepper& stepper, const OrbitPoint& point, int sign) {
-    return monodromy(stepper.rig(), point.orbit, point.place, Side::without_impact).bifurcation(sign);
+    return smooth_bifurcation(stepper.rig(), point.orbit, point.place, sign, Side::without_impact);
+}
+
+// Whether a point found near a step with the same events lies within it.
+bool is_within(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, const OrbitPoint& found) {
+    constexpr double rounding = 0.01;  // relative to the step, as the branch is curved
+    const Eigen::VectorXd step = way_between(stepper.rig(), from, to, stepper.window());
+    const Eigen::VectorXd way = way_between(stepper.rig(), from, found, stepper.window());
+    const double share = way.dot(step) / step.squaredNorm();
+    return share >= -rounding && share <= 1 + rounding && way.norm() <= 2 * step.norm();
 }
 
 std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const OrbitPoint& from,
@@ -22,14 +31,8 @@ std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const O
     const double after = bifurcation_of(stepper, to, sign);
     auto found = solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
                        stepper.conditions_and(Condition::at_multiplier(sign)));
-    if (!found) return std::nullopt;
     // a different crossing, outside the step, may lie as close to the guess
-    constexpr double rounding = 0.01;  // relative to the step, as the branch is curved
-    const Eigen::VectorXd step = way_between(stepper.rig(), from, to, stepper.window());
-    const Eigen::VectorXd way = way_between(stepper.rig(), from, *found, stepper.window());
-    const double share = way.dot(step) / step.squaredNorm();
-    if (share < -rounding || share > 1 + rounding || way.norm() > 2 * step.norm()) return std::nullopt;
-    return found;
+    return found && is_within(stepper, from, to, *found) ? found : std::nullopt;
 }
 
 // A grazing within a step, and the branch's own point there, with the events that it has up to there.
@@ -46,14 +49,15 @@ std::optional<Grazing> grazing_between(const Stepper& stepper, const OrbitPoint&
     if (fault.kind == OrbitFault::Kind::pierces) {
         const auto grazing = settle(with_grazing(to, fault));
         if (!grazing || is_impact_before_it(stepper.rig(), *grazing)) return std::nullopt;
-        return Grazing{*grazing, without_grazing(*grazing)};
+        const OrbitPoint end = without_grazing(*grazing);
+        return is_within(stepper, from, to, end) ? std::optional(Grazing{*grazing, end}) : std::nullopt;
     }
     const double before = from.orbit.events[fault.event].velocity;
     const double after = to.orbit.events[fault.event].velocity;
     const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);
     const auto slow = solve(stepper.rig(), between(from, to, share), stepper.window(),
                             stepper.conditions_and(Condition::at_rest(fault.event)));
-    if (!slow) return std::nullopt;
+    if (!slow || !is_within(stepper, from, to, *slow)) return std::nullopt;
     const auto reshaped = grazing_in_place_of(stepper.rig(), *slow, fault.event);
     const auto grazing = reshaped ? settle(*reshaped) : std::nullopt;
     return grazing ? std::optional(Grazing{*grazing, *slow}) : std::nullopt;
@@ -123,8 +127,8 @@ std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
 
 }  // namespace
 
-BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, const OrbitFault& fault,
-                  bool by_multipliers) {
+BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
+                  const OrbitFault& fault) {
     BranchEvent judged;
     double nearest = std::numeric_limits<double>::infinity();
     const auto offer = [&](const std::optional<OrbitPoint>& point, CurveKind kind) {
@@ -146,22 +150,20 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
         judged.lost = !grazing;
     }
     const OrbitPoint& end = grazing ? grazing->end : to;
-    const bool merges = by_multipliers && halves_meet(stepper, from, to);
-    if (merges) offer(merging_orbit(stepper, from, to), CurveKind::period_doubling);
-    bool crosses_any = false;
-    if (by_multipliers) {
-        for (const int sign : {1, -1}) {
-            if (merges && sign > 0)
-                continue;  // det(M - I) touches 0 at the merging; rounding may flip its sign
-            if ((bifurcation_of(stepper, from, sign) > 0) == (bifurcation_of(stepper, end, sign) > 0)) continue;
-            crosses_any = true;
-            offer(crossing_of_multiplier(stepper, from, end, sign),
-                  sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
-        }
+    const bool merges = halves_meet(stepper, from, end);
+    if (merges) offer(merging_orbit(stepper, from, end), CurveKind::period_doubling);
+    bool passes_any = merges;
+    for (const int sign : {1, -1}) {
+        if (merges && sign > 0) continue;  // det(M - I) touches 0 at the merging; rounding may flip its sign
+        if ((bifurcation_of(stepper, from, sign) > 0) == (bifurcation_of(stepper, end, sign) > 0)) continue;
+        passes_any = true;
+        offer(crossing_of_multiplier(stepper, from, end, sign),
+              sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
     }
-    if (grazing && !crosses_any) offer(grazing->motion, CurveKind::grazing);
-    if (by_multipliers && !crosses_any && !merges && !judged.lost)
-        judged.lost = may_hide_events(stepper, from, end);
+    if (!passes_any) {
+        if (grazing) offer(grazing->motion, CurveKind::grazing);
+        judged.lost = judged.lost || may_hide_events(stepper, from, end);
+    }
     if (judged.lost) judged.seed.reset();
     if (judged.seed) {
         judged.seed = sound(stepper, *judged.seed);
@@ -281,10 +283,13 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
     }
     // an impact gained or lost implies a grazing that so long a step has passed over
     if (!settled || settled->orbit.impacts() != here.point.orbit.impacts()) return false;
+    const auto unscaled = [&](const OrbitPoint& point, int sign) {
+        return monodromy(stepper.rig(), point.orbit, point.place, Side::without_impact).bifurcation(sign);
+    };
     for (const int sign : {1, -1}) {  // as does a multiplier past 1 or -1, except by rounding on its curve
         constexpr double rounding = 1e-6;
-        const double before = bifurcation_of(stepper, here.point, sign);
-        const double after = bifurcation_of(stepper, *settled, sign);
+        const double before = unscaled(here.point, sign);
+        const double after = unscaled(*settled, sign);
         if ((before > 0) != (after > 0) && std::max(std::abs(before), std::abs(after)) > rounding) return false;
     }
     const bool gains = settled->orbit.events.size() > here.point.orbit.events.size();

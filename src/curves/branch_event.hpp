@@ -16,10 +16,9 @@ struct BranchEvent {
     bool lost = false;         // an event occurred but could not be identified
 };
 
-// `fault` is that of the orbit at `to`. Without `by_multipliers` only impacts count: on a curve a multiplier
-// equals 1 or -1 up to rounding.
+// `fault` is that of the orbit at `to`.
 [[nodiscard]] BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
-                                const OrbitFault& fault, bool by_multipliers = true);
+                                const OrbitFault& fault);
 
 // Gives `here`, reached by a step from `from`, the events of its true motion if they differ but the number of
 // impacts does not; false if no orbit with these events is found, or if the step is longer than the longest one

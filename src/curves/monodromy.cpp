@@ -66,6 +66,23 @@ double speeds_without(const PlacedRig& rig, const Orbit& orbit, double fastest, 
     return product;
 }
 
+// M with the saltation of each impact on a rigid stop times its speed over the one that is given for it; its
+// determinant is unscaled.
+Monodromy multiplied(const PlacedRig& rig, const Orbit& orbit, Side side, const auto& speed_given) {
+    const double duration = rig.duration_of(orbit.period);
+    Monodromy product{Jacobian<double>::Identity(), 1};
+    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+        const Event& event = orbit.events[i];
+        const double length = orbit.length_of_leg(i, duration);
+        const double speed = strikes(rig, event) ? speed_given(event) : 1;
+        const Jacobian<double> jump = rig.saltation(event, side == Side::with_impact, speed).value;
+        product.matrix = rig.flow(event.presses, length) * (jump * product.matrix).eval();
+        product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
+        if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
+    }
+    return product;
+}
+
 }  // namespace
 
 double Monodromy::multiplier() const {
@@ -73,21 +90,18 @@ double Monodromy::multiplier() const {
 }
 
 Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const PlanePoint& place, Side side) {
+    return multiplied(rigs.at(place), orbit, side, [](const Event& event) { return event.velocity; });
+}
+
+double smooth_bifurcation(const Rig& rigs, const Orbit& orbit, const PlanePoint& place, int sign, Side side) {
     const PlacedRig rig = rigs.at(place);
-    const double duration = rig.duration_of(orbit.period);
-    Monodromy product{Jacobian<double>::Identity(), 1};
-    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
-        const Event& event = orbit.events[i];
-        const double length = orbit.length_of_leg(i, duration);
-        const bool counts = side == Side::with_impact;
-        const bool strikes = rig.is_rigid() && event.kind == EventKind::touch;
-        const Jacobian<double> jump =
-            rig.saltation(event, counts, strikes ? event.velocity : 1).value;  // its own speed: unscaled
-        product.matrix = rig.flow(event.presses, length) * (jump * product.matrix).eval();
-        product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
-        if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
+    const double scale = rig.frequency();
+    const Monodromy product = multiplied(rig, orbit, side, [scale](const Event&) { return scale; });
+    double speeds = 1;
+    for (const Event& event : orbit.events) {
+        if (strikes(rig, event)) speeds *= event.velocity / scale;
     }
-    return product;
+    return speeds * (1 + product.determinant) - sign * product.matrix.trace();
 }
 
 // Product rule: tr dM is the sum over all factors X of tr(after dX before). Liouville's formula: d ln det M is

@@ -24,6 +24,11 @@ struct Monodromy {
 
 [[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const PlanePoint& place, Side side);
 
+// det(M - sign I) times each impact speed on a rigid stop, in units of the frequency: smooth along a branch of
+// orbits, also where such a speed vanishes and M has a pole (Nordmark 1991).
+[[nodiscard]] double smooth_bifurcation(const Rig& rig, const Orbit& orbit, const PlanePoint& place, int sign,
+                                        Side side);
+
 // A test function, 0 where a multiplier equals sign, and its gradient by the unknowns (unknowns.hpp). It is
 // det(M - sign I), times v / max(v, v_graze) for each impact speed v on a rigid stop, since M grows as 1/v at a
 // grazing (Nordmark 1991), and divided by the size of M's factors. These reach 1e4 in sequences of weak impacts

@@ -58,12 +58,13 @@ double longest_patience(const Home& home) {
 
 class Walk {
   public:
-    Walk(DisturbedMap& map, const Home& home, std::uint64_t seed) : map_(map), home_(home), random_(seed) {}
+    Walk(DisturbedMap& map, const Home& home, std::uint64_t seed)
+        : map_(map), home_(home), random_(seed), quiet_before_(map.quiet_cycles()) {}
 
     [[nodiscard]] Walker begin() { return {.motion = {home_.first_point()}}; }
-    // Computed with this map so far, in disturbed cycles.
+    // Computed so far, in disturbed cycles.
     [[nodiscard]] std::int64_t cycles() const {
-        return changes_ / map_.changes_per_cycle() + map_.quiet_cycles() / quiet_as_disturbed;
+        return changes_ / map_.changes_per_cycle() + (map_.quiet_cycles() - quiet_before_) / quiet_as_disturbed;
     }
     [[nodiscard]] std::uint64_t one_of(std::size_t count) { return random_.below(count); }
     // Mean number of cycles away from home from one question whether it returns to the next, and how uncertain
@@ -125,6 +126,7 @@ class Walk {
     RandomNumbers random_;
     double patience_ = 1;
     double variance_ = 0;
+    std::int64_t quiet_before_;
     std::int64_t changes_ = 0;
     std::vector<scene::State<double>> elsewhere_;
 };

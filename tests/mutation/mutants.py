@@ -87,7 +87,7 @@ def shuffled(mutants: list[Mutant], seed: int) -> list[Mutant]:
     return sorted(mutants, key=lambda mutant: hashlib.sha1(f"{seed} {mutant.key}".encode()).digest())
 
 
-BEFORE = re.compile(r"(\|\||[?:]|return) |[-+*/%&|^]?=[ \n]")  # an operand of || or &&
+BEFORE = re.compile(r"(\|\||[?:]|return) |(<<|>>|[-+*/%&|^])?=[ \n]")  # an operand of || or &&
 
 
 def operand_begin(code: str, place: int) -> int:

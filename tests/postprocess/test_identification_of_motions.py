@@ -152,7 +152,7 @@ def test_a_clipped_displacement_is_told(tmp_path, run_program, sign):
     assert code == 2 and f"is clipped: its displacement is {sign * least:.4g}, and never beyond" in err, err
 
 
-@pytest.mark.parametrize("share, noise", [(0.8, 0.0), (0.8, 0.005), (0.98, 0.0), (0.98, 0.0005)])
+@pytest.mark.parametrize("share, noise", [(0.8, 0.0), (0.8, 0.005), (0.98, 0.0), (0.95, 0.0005)])
 @pytest.mark.parametrize("names", [("force", "displacement"), ("displacement",)])
 def test_a_displacement_that_is_clipped_at_the_release_is_told(share, names, noise):
     """Let go beyond its range."""
@@ -172,6 +172,26 @@ def test_a_hammer_that_leaves_from_rest_is_not_clipped(held, noise):
     columns = {"force": columns["force"], "displacement": displacement}
     columns = {name: np.concatenate([np.full(held, values[0]), values]) for name, values in columns.items()}
     assert look(Recording(Path("simulated"), 0.0, 1 / RATE, columns)).pulses
+
+
+def is_looked_at(force, displacement):
+    return look(Recording(Path("simulated"), 0.0, 1 / RATE, {"force": force, "displacement": displacement})).pulses
+
+
+@pytest.mark.parametrize("step", [2e-5, 2e-4])
+@pytest.mark.parametrize("offset", [0.0, 0.25, 0.5, 0.75])
+def test_rounding_at_a_release_from_rest_is_not_clipped(step, offset):
+    _, columns = release()
+    assert is_looked_at(columns["force"], (np.rint(columns["displacement"] / step + offset) - offset) * step)
+
+
+@pytest.mark.parametrize("rounded", [lambda values: 2e-5 * np.rint(values / 2e-5), lambda values: 1e-4 * np.rint(values / 1e-4),
+                                     lambda values: np.repeat(values[::16], 16)[:len(values)]], ids=["20 um", "100 um", "held for 16"])
+def test_equal_samples_at_the_beginning_of_a_part_are_not_clipped(rounded):
+    _, columns = release()
+    displacement = rounded(columns["displacement"])
+    for first in range(10, 600, 20):
+        assert is_looked_at(columns["force"][first:], displacement[first:])
 
 
 def test_a_hammer_that_is_held_and_comes_to_rest_at_the_stop_is_not_clipped():

@@ -19,9 +19,9 @@ FLAT_TOP = 0.15  # of the width of a pulse: a flat top longer than this was clip
 FEWEST_CLIPPED = 4  # samples at a signal's end of range
 HEAPED = 5.0  # times as many there as at the next value: a smooth top has 2.4 on average, if rounding doesn't heap it
 BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: recording length over the averaging window
-FAR_NOISE, FAR_STEPS, FAR_RANGE = 20, 10, 0.01  # standard deviations, smallest steps, of the range: how far a displacement must have left
-FEWEST_LEAVING = 8  # samples on that way
-LEAVES_WITH_SPEED = 0.37  # of the way in half the time, between 1/4 and 1/2
+FAR_NOISE, FAR_STEPS, FAR_RANGE = 3, 10, 0.002  # standard deviations, smallest steps, of the range: how far a displacement has left its first value
+LEAVES_WITH_SPEED = 1.35  # ratio of times, between 1 and 5/3
+OTHER_RUNS = 4  # times as long as other runs of equal samples
 REACH = 0.1  # of its peak: level at which a pulse begins and ends
 LOOKED_AT = 1_000_000  # samples at most for a median
 AT_ONCE = 1_000_000
@@ -211,20 +211,23 @@ def _refuse_heaped(recording: Recording, guess: Guess) -> None:
 
 
 def _refuse_clipped_start(recording: Recording, guess: Guess) -> None:
-    """Raises PeterkaFileError where a displacement stays at its first value and leaves it with speed: it then comes half as far in half the time,
-    and a hammer that was held there, and leaves from rest, a quarter."""
-    if "displacement" not in recording.signals:
+    """Raises PeterkaFileError where a displacement stays at its first value and leaves it with speed. A hammer that was held there leaves from rest: the
+    times at which it is once, four and nine times as far away are equally far apart, and 3:5 if it leaves with speed."""
+    values = np.asarray(recording.signals.get("displacement", np.empty(0))[:max(0, min(guess.pulses[0].first, AT_ONCE))], dtype=float)
+    values = values[np.isfinite(values)]
+    if len(values) < FEWEST_CLIPPED:
         return
-    values = np.asarray(recording.signals["displacement"][:min(guess.pulses[0].first, AT_ONCE)], dtype=float)
-    away = np.abs(values - values[0]) if len(values) else values
-    run = int(np.argmax(away > 0)) if len(away) else 0
+    away = np.abs(values - values[0])
+    run = int(np.argmax(away > 0))
     noise = 1.4826 * float(np.median(np.abs(np.diff(values[run:], 2)))) / np.sqrt(6) if len(values) > run + 2 else 0.0
-    far = max(FAR_NOISE * noise, FAR_STEPS * guess.resolution["displacement"], FAR_RANGE * guess.ranges["displacement"])
-    end = max(int(np.argmax(away > far)) if len(away) else 0, run + FEWEST_LEAVING)
-    if run < FEWEST_CLIPPED or not end < len(away) or not away[end] > far:
+    near = max(FAR_NOISE * noise, FAR_STEPS * guess.resolution["displacement"], FAR_RANGE * guess.ranges["displacement"])
+    if not away.max() > 9 * near:
         return
-    middle = (run + end) // 2
-    if np.mean(away[middle - 1:middle + 2]) > LEAVES_WITH_SPEED * away[end]:
+    once, four, nine = ((np.argmax(away > level) + np.flatnonzero(away[:int(np.argmax(away > 9 * near)) + 1] <= level)[-1]) / 2
+                        for level in (near, 4 * near, 9 * near))
+    later = np.diff(np.flatnonzero(np.diff(values[run:int(nine) + 2])), prepend=-1)  # lengths of the runs of equal samples on that way
+    held = run >= FEWEST_CLIPPED and run > OTHER_RUNS * np.max(later, initial=1)  # others are rounding
+    if held and nine - four > LEAVES_WITH_SPEED * (four - once):
         raise PeterkaFileError(f"{recording.path} is clipped: its displacement is {values[0]:.4g} for {run} samples, from which it leaves with speed; "
                           "record with a larger range, or cut that out with --from")
 
