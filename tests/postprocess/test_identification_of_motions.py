@@ -12,6 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from peterka.errors import PeterkaFileError
 from peterka.identification import solve
+from peterka.identification.adequacy import FEWEST_UNWEAKENED, refuse_unweakened
 from peterka.identification.first_guess import look
 from peterka.identification.fit import fit
 from peterka.identification.recording import Recording
@@ -289,3 +290,16 @@ def test_slopes_resolve_what_parameters_make_up_for():
     errors = [np.sqrt(np.diag(np.linalg.pinv(slopes.T @ slopes))) for slopes in (true, solve._sharper(left, np.zeros(2), *bounds, rough))]
     np.testing.assert_allclose(errors[1], errors[0], rtol=0.01)
     assert solve._sharper(left, np.zeros(2), np.full(2, -1e-9), np.full(2, 1e-9), rough) is rough  # no room for a step
+
+
+def test_impacts_that_do_not_weaken_are_not_those_of_a_release(tmp_path, run_program):
+    """At once, where a search for such a motion took minutes; a stop that takes 1 % of the speed weakens them."""
+    time, columns = simulate(driven(HAMMER, 1e-3, 32.0, start=0.0), 0.7, RATE)
+    settled = slice(int(0.24 * RATE), None)
+    path = write(tmp_path / "a.csv", time[settled], noisy({"force": columns["force"][settled]}, ["force"], 0.01, 1))
+    code, _, err = run_program("identify", path, "--mass-kg", HAMMER.mass)
+    assert code == 2 and "impacts are as hard as the first. Cut out one release" in err and "--driven" in err, err
+    times, columns = simulate(replace(HAMMER, damping=0.004 * np.sqrt(HAMMER.stiffness * HAMMER.mass), ratio=0.0, gap=0.0), 0.5, RATE)
+    assert len(look(Recording(Path("simulated"), 0.0, 1 / RATE, {"force": columns["force"]})).pulses) >= FEWEST_UNWEAKENED
+    one = Recording(Path("simulated"), 0.0, times[1], {"force": columns["force"]})
+    refuse_unweakened(one, look(one))

@@ -25,6 +25,7 @@ FEWEST = 20  # residuals for a test
 NEAR_TOP = 0.5  # of the hardest peak: samples above it are compared
 CONTRADICTION = 1.25  # ratio of force to mass times acceleration, or its inverse; other modes of the hammer make some of it, too
 SPRINGS_SHARE = 4.0  # of a contact over the time between impacts: more than springs take from the force at gaps up to 0.89 of the swing
+FEWEST_UNWEAKENED, UNWEAKENED = 9, 0.97  # impacts, median of the last third's peaks over the first's: a loss of less than 0.5 % of the speed in each
 ADVICE = "cut out one release with --from and --to; where the cart moves, give it as --driven"
 
 
@@ -57,6 +58,15 @@ def refuse_contradicting(recording: Recording, guess: Guess, mass: float) -> Non
     if not (1 - springs) / widest <= ratio <= widest:
         raise PeterkaFileError(f"{recording.path} has forces in its impacts of {ratio:.3g} times the mass times the acceleration, {mass:.4g} kg: the mass, or "
                           "the sensitivity of a sensor, is wrong, or the hammer isn't one mass there")
+
+
+def refuse_unweakened(recording: Recording, guess: Guess) -> None:
+    """Raises PeterkaFileError where impacts stay as hard as the first ones: over a cart at rest each takes some of the hammer's speed."""
+    heights = [pulse.height for pulse in guess.pulses]
+    third = len(heights) // 3
+    if guess.sharp and len(heights) >= FEWEST_UNWEAKENED and np.median(heights[-third:]) > UNWEAKENED * np.median(heights[:third]):
+        raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest: the last of its {len(heights)} impacts are as hard "
+                          f"as the first. {ADVICE[0].upper() + ADVICE[1:]}")
 
 
 def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impacts: int, given: Mapping[str, float]) -> None:

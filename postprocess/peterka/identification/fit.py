@@ -12,7 +12,7 @@ import numpy as np
 
 from ..arrays import Reals
 from ..errors import PeterkaFileError
-from .adequacy import likeness_of, refuse_contradicting, refuse_other_motion
+from .adequacy import likeness_of, refuse_contradicting, refuse_other_motion, refuse_unweakened
 from .channels import calmed, glimpsed, with_all_channels, with_channels, without_channels
 from .first_guess import Guess, look
 from .flights import Start, from_events, likely
@@ -81,6 +81,7 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
     calm = calmed(recording)
     given, guess = dict(given or {}), look(recording, calm)
     refuse_contradicting(calm, guess, mass)
+    refuse_unweakened(recording, guess)
     begun, samples = begin(recording, guess, mass), samples_of(recording, guess)
     starts = likely(from_events(begun, mass, given))
     starts += [Start(omega, begun.impacts[0].speed / omega, {"gap": gap * omega / begun.impacts[0].speed}, np.inf)
