@@ -119,9 +119,14 @@ std::optional<OrbitPoint> merging_fold(const Stepper& stepper, const OrbitPoint&
     std::vector<OrbitPoint> beside{from};
     if (!halves_are_equal(stepper, to)) beside.push_back(to);
     for (int halving = 0; halving < most_halvings; ++halving) {
-        const auto middle =
-            solve(stepper.rig(), between(low, high, 0.5), stepper.window(), stepper.conditions());
-        if (!middle || !has_same_events(middle->orbit, from.orbit) || halves_are_equal(stepper, *middle)) break;
+        std::optional<OrbitPoint> middle;
+        for (const double share :
+             {0.5, 0.3, 0.7}) {  // one of them may lie too near the merging, where Newton's method fails
+            middle = solve(stepper.rig(), between(low, high, share), stepper.window(), stepper.conditions());
+            if (middle && has_same_events(middle->orbit, from.orbit)) break;
+            middle.reset();
+        }
+        if (!middle || halves_are_equal(stepper, *middle)) break;
         (difference_of_halves(stepper, *middle).dot(apart) > 0 ? low : high) = *middle;
         beside.push_back(*middle);
     }
