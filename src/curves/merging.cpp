@@ -119,9 +119,9 @@ std::optional<OrbitPoint> merging_fold(const Stepper& stepper, const OrbitPoint&
     std::vector<OrbitPoint> beside{from};
     if (!halves_are_equal(stepper, to)) beside.push_back(to);
     for (int halving = 0; halving < most_halvings; ++halving) {
+        // one of these may lie too near the merging, where Newton's method fails
         std::optional<OrbitPoint> middle;
-        for (const double share :
-             {0.5, 0.3, 0.7}) {  // one of them may lie too near the merging, where Newton's method fails
+        for (const double share : {0.5, 0.3, 0.7}) {
             middle = solve(stepper.rig(), between(low, high, share), stepper.window(), stepper.conditions());
             if (middle && has_same_events(middle->orbit, from.orbit)) break;
             middle.reset();

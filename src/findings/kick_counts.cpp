@@ -42,8 +42,7 @@ void KickCounts::add(const KickCounts& other) {
     if (is_smaller(other.least_bound, least_bound)) least_bound = other.least_bound;
     if (is_smaller(other.least_tried, least_tried)) least_tried = other.least_tried;
     most_tried = std::max(most_tried, other.most_tried);
-    const auto later = [](const KickCounts& one) { return std::tie(one.row, one.column); };
-    const bool first = other.smallest == smallest && later(other) < later(*this);
+    const bool first = other.smallest == smallest && std::tie(other.row, other.column) < std::tie(row, column);
     if (!first && !is_smaller(other.smallest, smallest)) return;
     smallest = other.smallest;
     phase = other.phase;

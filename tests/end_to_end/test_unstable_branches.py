@@ -110,3 +110,15 @@ def test_an_integrator_stays_on_the_orbits_of_curves(branches, kind):
         assert end == pytest.approx(state, abs=1e-3 if kind == "grazing" else 1e-6), curve
         tried += 1
     assert tried > 1
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_branches_on_a_rigid_stop_end_where_an_impact_vanishes(tmp_path, restitution):
+    """There the monodromy matrix has a pole: eight branches, four with r = 0, were lost within 1e-6 of it."""
+    text = jobs.with_rigid_stop(jobs.small_curves(points=20)).replace("coefficient = 0.5", f"coefficient = {restitution}")
+    jobs.write(tmp_path, text + "\n[curves]\ngap_ratio = [0.5, 1.0, 1.5]\n")
+    finished = launch.run("run", "job.toml", "--quiet", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "job.h5") as file:
+        ends = file["branch_end"][()]
+    assert np.sum(ends == END["grazing"]) >= 4 and not (ends == END["lost"]).any()

@@ -91,6 +91,13 @@ testing::MapExample on_a_plastic_stop(double frequency, double gap) {
     return testing::MapExample(job);
 }
 
+// The edge of its gap.
+EdgeDistance edge_of(const testing::MapExample& one, std::int64_t impacts, std::int64_t period) {
+    EXPECT_EQ(one.map.site(0).impacts, impacts);
+    EXPECT_EQ(one.map.site(0).period, period);
+    return edge_distances(one.map, one.rig, 4, {false, 0})[0];
+}
+
 // The motion of that cell's start, at a part of the way to the edge that is told of its gap.
 regime::CellResult solved_at(const testing::MapExample& one, const EdgeDistance& edge, double part) {
     scene::Oscillator<double> oscillator = one.scene.cell(0, 0).oscillator;
@@ -102,9 +109,7 @@ regime::CellResult solved_at(const testing::MapExample& one, const EdgeDistance&
 // describe no motion, comes back from infinity: the period doubles at 0.718 of the way there.
 TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoublesBeforeItGrazes) {
     const testing::MapExample one = on_a_plastic_stop(0.7488097959240669, 1.1786750273656639);
-    ASSERT_EQ(one.map.site(0).impacts, 3);
-    ASSERT_EQ(one.map.site(0).period, 4);
-    const EdgeDistance edge = edge_distances(one.map, one.rig, 4, {false, 0})[0];
+    const EdgeDistance edge = edge_of(one, 3, 4);
     EXPECT_EQ(edge.kind, EdgeKind::period_doubling);
     EXPECT_NEAR(edge.change, 0.0016128129709, 1e-9);
     EXPECT_EQ(solved_at(one, edge, 0.9).period, 4);
@@ -116,9 +121,7 @@ TEST(EdgeDistance, OfAnOrbitIsToWhereItsPeriodDoublesBeforeItGrazes) {
 // Beyond the fold the branch turns back, to a grazing that is nearer.
 TEST(EdgeDistance, OfAnOrbitIsToItsFoldBeforeAGrazing) {
     const testing::MapExample one = on_a_plastic_stop(0.7896775821831176, 1.3740133087077377);
-    ASSERT_EQ(one.map.site(0).impacts, 2);
-    ASSERT_EQ(one.map.site(0).period, 2);
-    const EdgeDistance edge = edge_distances(one.map, one.rig, 4, {false, 0})[0];
+    const EdgeDistance edge = edge_of(one, 2, 2);
     EXPECT_EQ(edge.kind, EdgeKind::fold);
     EXPECT_NEAR(edge.change, 0.0023081658894, 1e-9);
     EXPECT_EQ(solved_at(one, edge, 0.99).impacts, 2);
