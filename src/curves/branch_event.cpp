@@ -16,23 +16,20 @@ double bifurcation_of(const Stepper& stepper, const OrbitPoint& point, int sign)
     return smooth_bifurcation(stepper.rig(), point.orbit, point.place, sign, Side::without_impact);
 }
 
-// Whether a point found near a step with the same events lies within it.
-bool is_within(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, const OrbitPoint& found) {
-    constexpr double rounding = 0.01;  // relative to the step, as the branch is curved
-    const Eigen::VectorXd step = way_between(stepper.rig(), from, to, stepper.window());
-    const Eigen::VectorXd way = way_between(stepper.rig(), from, found, stepper.window());
-    const double share = way.dot(step) / step.squaredNorm();
-    return share >= -rounding && share <= 1 + rounding && way.norm() <= 2 * step.norm();
-}
-
 std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const OrbitPoint& from,
                                                  const OrbitPoint& to, int sign) {
     const double before = bifurcation_of(stepper, from, sign);
     const double after = bifurcation_of(stepper, to, sign);
     auto found = solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
                        stepper.conditions_and(Condition::at_multiplier(sign)));
+    if (!found) return std::nullopt;
     // a different crossing, outside the step, may lie as close to the guess
-    return found && is_within(stepper, from, to, *found) ? found : std::nullopt;
+    constexpr double rounding = 0.01;  // relative to the step, as the branch is curved
+    const Eigen::VectorXd step = way_between(stepper.rig(), from, to, stepper.window());
+    const Eigen::VectorXd way = way_between(stepper.rig(), from, *found, stepper.window());
+    const double share = way.dot(step) / step.squaredNorm();
+    if (share < -rounding || share > 1 + rounding || way.norm() > 2 * step.norm()) return std::nullopt;
+    return found;
 }
 
 // A grazing within a step, and the branch's own point there, with the events that it has up to there.
@@ -49,15 +46,14 @@ std::optional<Grazing> grazing_between(const Stepper& stepper, const OrbitPoint&
     if (fault.kind == OrbitFault::Kind::pierces) {
         const auto grazing = settle(with_grazing(to, fault));
         if (!grazing || is_impact_before_it(stepper.rig(), *grazing)) return std::nullopt;
-        const OrbitPoint end = without_grazing(*grazing);
-        return is_within(stepper, from, to, end) ? std::optional(Grazing{*grazing, end}) : std::nullopt;
+        return Grazing{*grazing, without_grazing(*grazing)};
     }
     const double before = from.orbit.events[fault.event].velocity;
     const double after = to.orbit.events[fault.event].velocity;
     const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);
     const auto slow = solve(stepper.rig(), between(from, to, share), stepper.window(),
                             stepper.conditions_and(Condition::at_rest(fault.event)));
-    if (!slow || !is_within(stepper, from, to, *slow)) return std::nullopt;
+    if (!slow) return std::nullopt;
     const auto reshaped = grazing_in_place_of(stepper.rig(), *slow, fault.event);
     const auto grazing = reshaped ? settle(*reshaped) : std::nullopt;
     return grazing ? std::optional(Grazing{*grazing, *slow}) : std::nullopt;
