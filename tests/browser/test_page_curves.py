@@ -178,8 +178,24 @@ def test_curves_of_another_rig_are_not_shown(browser, curves_page):
     assert "fold" in browser.text("legend")
     browser.slide("slider-contact_second", 100)
     browser.until(lambda: "fold" not in browser.text("legend"), "the curves are still shown over a live map")
+    browser.until(lambda: browser.data("live-state", "finished") == "true", "no live map")  # whose legend may still grow a line
     browser.find("as-file").click()
     browser.until(lambda: "fold" in browser.text("legend"), "the curves don't come back")
+
+
+def test_the_sliders_stay_where_they_are_while_a_live_map_is_computed(browser, curves_page):
+    browser.open(curves_page)
+    browser.driver.execute_script(
+        "const top = (id) => document.getElementById(id).getBoundingClientRect().top;"
+        "const distance = () => top('sliders') - top('legend');"
+        "window.distances = [distance()];"
+        "new MutationObserver(() => window.distances.push(distance())).observe(document.getElementById('legend'), {childList: true});")
+    browser.slide("slider-contact_second", 100)
+    browser.until(lambda: browser.data("live-state", "finished") == "true", "no live map")
+    distances = browser.ask("window.distances")
+    assert len(distances) > 3 and distances == sorted(distances)  # there may be more classes than in the file
+    browser.find("as-file").click()
+    browser.until(lambda: browser.ask("window.distances.at(-1)") == distances[0], "the legend keeps the height of the live map's")
 
 
 def test_an_address_keeps_the_edge(browser, curves_page):

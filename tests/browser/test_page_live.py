@@ -294,6 +294,17 @@ def test_shares_under_a_live_map_are_its_own(browser, map_page):
     browser.until(lambda: browser.ask(shares) == of_file, "the file's shares don't come back")
 
 
+def test_a_basin_as_in_the_file_is_not_computed_again(browser, basin_page):
+    browser.open(basin_page)
+    browser.solved()
+    browser.slide("slider-damping_ratio", 100)
+    browser.until(lambda: browser.data("live-state", "finished") == "true", "no live map")
+    browser.find("as-file").click()
+    browser.promise("peterka.solve(3, 3)")  # by a worker that would have begun with a live map
+    browser.settle()
+    assert browser.text("live-state") == "" and not browser.find("live").is_selected()
+
+
 def test_an_address_of_another_version_says_so(browser, map_page):
     browser.open(map_page, "at=1.5,0.5&damping_ratio=0.01&version=00000000&stop_colour=3&contact_first=-5")
     browser.solved()

@@ -32,9 +32,12 @@ class MapPage extends Page {
     element("as-file").addEventListener("click", () => this.#asFile());
     element("live").addEventListener("change", (event) => this.#setLive(event.target.checked));
   }
+  // While a live map is computed its classes appear one by one: the legend only grows, so that what lies below it stays where it is.
   drawLegend() {
+    const legend = element("legend");
+    legend.style.minHeight = this.liveWanted ? `${legend.offsetHeight}px` : "";
     super.drawLegend();
-    linesInto(element("legend"), this.view.lines);
+    linesInto(legend, this.view.lines);
   }
   sizeWords() {
     return `${file.rows.values.length.toLocaleString("en")} × ${file.columns.values.length.toLocaleString("en")} cells`;
@@ -114,6 +117,7 @@ class MapPage extends Page {
     this.liveWanted = wanted;
     element("live").checked = wanted;
     if (wanted) return this.#recompute(0);
+    clearTimeout(this.recomputing);
     this.live?.end();
     this.live = this.view.patch = null;
     element("live-state").textContent = "";
