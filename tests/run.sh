@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs tests: C++ units, MPI tests, the program under mpirun, the pictures.
-#   tests/run.sh                  all but those that go through a whole range of cases, and those in a browser
-#   tests/run.sh --all            all, as .ci/run does at each commit; more than twice as long
+#   tests/run.sh                  all but the long ones, marked thorough, and those in a browser
+#   tests/run.sh --all            all, as .ci/run does at each commit; three times as long
 #   tests/run.sh --core           functions, what ranks do together, bad jobs, files in their readers: two minutes after the build
 #   tests/run.sh -R PATTERN       of all, those whose name matches
 #   tests/run.sh --rerun-failed   of all, those that failed the last time

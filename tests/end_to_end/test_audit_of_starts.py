@@ -9,6 +9,8 @@ import launch
 import many_starts
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 AUDIT = "[audit]\ncells = 24\n"
 OF_A_CELL = 8  # starts that are solved again
 

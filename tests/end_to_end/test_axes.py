@@ -15,6 +15,8 @@ import pytest
 from any_axes import LABEL, PLACE, SWEEPS, axis, map_over
 from map_contents import assert_same_map
 
+pytestmark = pytest.mark.thorough
+
 ROOT = Path(__file__).resolve().parents[2]
 STOPS = map_over(axis("contact.stiffness_n_per_m", 1e5, 1e8, 20, "log"), axis("contact.damping_ns_per_m", 10, 1e4, 18, "log"),
                  more=PLACE.format(hertz=9.0, gap=0.0))

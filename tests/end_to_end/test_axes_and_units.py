@@ -25,6 +25,8 @@ from either_unit import (
     free_swing, over, starts,
 )
 
+pytestmark = pytest.mark.thorough
+
 EVERY_PAIR = "PETERKA_EVERY_PAIR" in os.environ
 PAIRS = either_unit.PAIRS if EVERY_PAIR else either_unit.PAIRS[1::2]
 

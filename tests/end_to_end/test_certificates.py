@@ -119,6 +119,7 @@ def test_a_chatter_is_proved_where_rounding_leaves_a_chain_of_bounces(tmp_path):
     assert np.all(cells["certified"][cells["chatter"] == 1] >= ORBIT) and np.count_nonzero(cells["chatter"] == 1) > 400
 
 
+@pytest.mark.thorough
 def test_many_digits_settle_labels_that_rounding_decides(tmp_path):
     """On the way of some of these starts errors grow by e^20 to e^60."""
     job = (jobs.RIG.format(kind="map", title="digits") + jobs.axis("frequency_ratio", 1.85, 2.2, 8) + jobs.axis("gap_ratio", 1.4, 1.9, 8)

@@ -70,6 +70,7 @@ SCENES = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("scene", SCENES)
 def test_a_run_takes_the_memory_that_check_tells(tmp_path, scene):
     jobs.write(tmp_path, SCENES[scene])

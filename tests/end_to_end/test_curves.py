@@ -147,6 +147,7 @@ def test_few_cells_find_the_curve_that_ends_the_motion_between_them(tmp_path, co
 
 
 # With springs of 150 mm a curve passes points at which an additional brief contact appears or disappears.
+@pytest.mark.thorough
 @pytest.mark.parametrize("springs", [(), ("--set", "hammer.natural_frequency_hz=5.25", "--set", "hammer.damping_ns_per_m=0.08")])
 def test_each_end_of_a_curve_has_a_reason(tmp_path, springs):
     path, _ = compute(tmp_path, jobs.small_curves(points=128), *springs)
@@ -161,6 +162,7 @@ def test_a_complete_file_is_left_as_it_is(curves):
     assert again.returncode == 0 and "nothing is computed" in again.stdout
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("ranks", [None, 2])
 def test_a_run_that_is_stopped_leaves_nothing_and_starts_again(tmp_path, curves, ranks):
     jobs.write(tmp_path, jobs.small_curves(points=32))
@@ -170,6 +172,7 @@ def test_a_run_that_is_stopped_leaves_nothing_and_starts_again(tmp_path, curves,
     map_contents.assert_same_map(compute(tmp_path, jobs.small_curves(points=32), ranks=ranks)[0], curves[0])
 
 
+@pytest.mark.thorough
 def test_a_killed_run_leaves_a_whole_file_or_none(tmp_path, curves):
     jobs.write(tmp_path, jobs.small_curves(points=32))
     for moment in (0.05, 0.2, 0.4, 0.8):
@@ -228,6 +231,7 @@ def test_springs_without_damping_that_are_driven_at_resonance_have_curves(tmp_pa
         assert len(file["curve"]) > 5 and float(file["point_residual"][()].max()) <= 1e-11
 
 
+@pytest.mark.thorough
 def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
     """As for curves, for a file that equals the one without, and again when it is complete."""
     plain = compute(tmp_path, jobs.small_map())[0].rename(tmp_path / "plain.h5")
@@ -272,6 +276,7 @@ def test_borders_that_a_map_cannot_tell_are_refused(tmp_path, change, words):
 HIDDEN = jobs.RIG.format(kind="curves", title="hidden") + jobs.axis("frequency_ratio", 3.0, 4.4, 12) + jobs.axis("gap_ratio", 1.5, 3.0, 12)
 
 
+@pytest.mark.thorough
 def test_motions_that_only_other_starts_reach_have_curves_too(tmp_path):
     of_1_2 = {}
     for count in (0, 24):
@@ -520,6 +525,7 @@ gap_ratio = [-0.0038277687121559545]
 """
 
 
+@pytest.mark.thorough
 def test_no_contact_runs_backwards(tmp_path):
     """A fold went on with a weak contact whose release lay before its touch, to 1.08293778. A sweep has 3/2 up to 1.0829507."""
     path, _ = compute(tmp_path, STIFF)
@@ -559,6 +565,7 @@ YIELDS = 'law = "kelvin_voigt"\nstiffness_n_per_m = {}\ndamping_ns_per_m = {}'
 FAST = (0.05484167275935482, YIELDS.format(314676.5705367602, 554.8485271146909), -0.3962648029194704)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("rig", "gap", "kind", "period", "places"), [
     # a curve that turns back just above the gap: Newton's method went to the second place twice
     ((0.010597957495323893, 'law = "restitution"\ncoefficient = 0.05694967719568127', 0.0), 2.76, GRAZING, 2,
@@ -621,6 +628,7 @@ def ends_as_stored(frequency, first, count):
     return np.concatenate([frequency[first], frequency[first + count - 1]])
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("job", "gaps"), [
     ((ROOT / "jobs" / "curves_170mm.toml").read_text().replace('rig = "rigs', f'rig = "{ROOT}/jobs/rigs'), [0, 1e-3 / 0.89e-3, 3e-3 / 0.89e-3]),
     (RIGID, [0.3, 0.7, 1.0, 1.5, 2.0])])

@@ -5,6 +5,8 @@ import pytest
 import damaged_files
 import test_damaged_files as sample
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.fixture(scope="module", params=sample.MORE_KINDS)
 def readers(request, tmp_path_factory):

@@ -6,6 +6,8 @@ import pytest
 
 import launch
 
+pytestmark = pytest.mark.thorough
+
 RANKS = [None, 1, 2, 4, 7]
 
 

@@ -4,6 +4,8 @@ import pytest
 
 import disk_faults
 
+pytestmark = pytest.mark.thorough
+
 
 # The others write as one of these does.
 WRITERS = [kind for kind in disk_faults.KINDS if kind not in ("curves with distances", "sweep with starts", "map of uncertain rigs")]

@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 import xarray
 
+pytestmark = pytest.mark.thorough
+
 POINTS = 40
 STEPS = 200  # of a sweep; the edge lies between its last two points
 HAIR = 1 / (2 * (STEPS - 1) - 1)  # of the distance

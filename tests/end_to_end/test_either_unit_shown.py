@@ -12,6 +12,8 @@ import launch
 from either_unit import RATIOS, SI, rig
 from postprocessing import POSTPROCESS, program
 
+pytestmark = pytest.mark.thorough
+
 REGULAR = {
     "plane": lambda unit: rig("map") + unit.axis("frequency", 1.6, 2.1, 11) + unit.axis("gap", 0.3, 0.9, 9),
     "sweep": lambda unit: (rig("sweep") + unit.axis("frequency", 1.7, 2.0, 16) + '[sweep]\nsamples = 2\ndirection = "both"\n'

@@ -12,6 +12,8 @@ import launch
 import many_starts
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 RIGID, CUBIC = "rigid", "cubic"
 STEP = 1e-4
 OF_CUBIC = ("hammer.cubic_stiffness_n_per_m3", "cart.amplitude_m", "gap_m")

@@ -15,6 +15,8 @@ import pytest
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 CODES = (0, 2, 3, 4, 5)  # all codes that a user may see: no internal error, signal, or mpirun's own
 OUTSIDE = {bool: "1", int: "-9000000000000000000", float: "1e308", str: '"?"'}
 RANGE = re.compile(r"--set (\d+): .*; give a value (?:from (\S+) to (\S+)|of (\S+) or more)$", re.MULTILINE)

@@ -9,6 +9,8 @@ import pytest
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 RIG = """schema = 1
 kind = "map"
 title = "softening"

@@ -11,6 +11,7 @@ FAILED, TOO_MANY_EVENTS, SOLVER_FAILED = 5, 3, 5
 REASONS = {TOO_MANY_EVENTS: "too many contacts in one cycle", SOLVER_FAILED: "the integrator gave up"}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("engine, cubic, status", [
     ("exact", 0, TOO_MANY_EVENTS),  # in a batch
     ("split", 238, TOO_MANY_EVENTS),

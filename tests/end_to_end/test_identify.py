@@ -14,6 +14,8 @@ import pytest
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 PROGRAM = Path(__file__).resolve().parents[2] / "postprocess" / "identify.py"
 TRUE = {"stop's stiffness ki": 5.5e6, "stop's damping ci": 1200.0, "natural frequency": 4.5, "damping ratio ζ": 0.0035605}
 WEIGHT, AMPLITUDE_MM = 0.298 * 9.80665, 0.89

@@ -9,6 +9,8 @@ import pytest
 
 import launch
 
+pytestmark = pytest.mark.thorough
+
 CHECKOUT = Path(__file__).resolve().parents[2]
 BUILD = Path(launch.BINARY).parent
 ENGINE = b"\0asm\1\0\0\0 not the engine, but its place"

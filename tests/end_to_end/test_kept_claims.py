@@ -8,6 +8,8 @@ import pytest
 import kept_claims
 from kept_claims import PAPER, ROUNDING_DECIDES, random_rigs, solve
 
+pytestmark = pytest.mark.thorough
+
 
 def name_of(rig):
     return f"eta={rig['eta']:.2f},zeta={rig['zeta']:.4f}"

@@ -4,6 +4,9 @@ import random
 
 import kept_claims
 import kept_places
+import pytest
+
+pytestmark = pytest.mark.thorough
 
 RIG = kept_places.RIG.format(zeta=0.00356, stop=kept_claims.spring(5.5e6, 1200.0))
 WINDOW = {"frequency_ratio": (1.2, 3.6), "gap_ratio": (0.6, 1.6)}

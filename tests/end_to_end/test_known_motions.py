@@ -13,6 +13,8 @@ import launch
 import many_starts
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 EMPTY, NO_IMPACT, PERIODIC, CHAOTIC = -128, 0, 1, 2
 FEW = 5  # starts: many motions are missed
 ZETA = 0.06 / (2 * 0.298 * 2 * math.pi * 4.5)

@@ -10,6 +10,8 @@ import pytest
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 FOLD, DOUBLING, GRAZING = range(3)
 EDGE, SAME_LABEL, OTHER_START, NARROW, UNKNOWN = range(5)
 CELLS = 32

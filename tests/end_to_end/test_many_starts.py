@@ -19,6 +19,8 @@ import many_starts
 import map_contents
 from conftest import compute
 
+pytestmark = pytest.mark.thorough
+
 EMPTY = -128
 JOBS = Path(__file__).resolve().parents[2] / "jobs"
 

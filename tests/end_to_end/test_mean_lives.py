@@ -11,6 +11,8 @@ import jobs
 import launch
 import postprocessing
 
+pytestmark = pytest.mark.thorough
+
 LIVES = ("mean_life_s", "mean_life_error_s", "mean_life_least_s")
 NOISE = "[noise]\nacceleration_m_s2_per_sqrt_hz = 0.1\ncycles = 2000\n"
 SETTLED = (0, 1, 3)  # of `regime`

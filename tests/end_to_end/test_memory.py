@@ -10,6 +10,8 @@ import jobs
 import launch
 import many_starts
 
+pytestmark = pytest.mark.thorough
+
 MEGABYTE = 10**6
 
 

@@ -4,6 +4,8 @@ import pytest
 
 import memory_faults
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.fixture(scope="module", params=["map with starts", "trace"])
 def kind(request, tmp_path_factory):

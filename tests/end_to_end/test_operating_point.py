@@ -14,6 +14,8 @@ import xarray
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 PROGRAM = Path(__file__).resolve().parents[2] / "postprocess" / "operating_point.py"
 WEIGHT = 0.298 * 9.80665
 

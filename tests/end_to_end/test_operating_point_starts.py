@@ -14,6 +14,8 @@ import jobs
 import launch
 import many_starts
 
+pytestmark = pytest.mark.thorough
+
 PROGRAM = Path(__file__).resolve().parents[2] / "postprocess" / "operating_point.py"
 WEIGHT = 0.298 * 9.80665
 COUNT = 12

@@ -11,6 +11,8 @@ import jobs
 import postprocessing
 import uncertain_rigs
 
+pytestmark = pytest.mark.thorough
+
 WEIGHT = 0.298 * 9.80665
 AXES = jobs.axis("frequency_ratio", 1.5, 2.5, 21) + jobs.axis("gap_ratio", 0.0, 1.5, 16)
 ACROSS, UP = 2, 1  # cells of the drift to either side: 0.4 Hz of 0.225 Hz, 0.08 mm of 0.089 mm

@@ -9,6 +9,8 @@ import pytest
 
 from launch import BINARY
 
+pytestmark = pytest.mark.thorough
+
 ROOT = Path(__file__).resolve().parents[2]
 KNOWN = {  # from independent simulations of the model, and from continuation of its orbits
     "gap_0_first_band": "differs",

@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 from any_axes import axis, map_over
 
+pytestmark = pytest.mark.thorough
+
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
 from peterka.errors import PeterkaFileError  # noqa: E402

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 import uncertain_rigs
 
+pytestmark = pytest.mark.thorough
+
 STIFFNESS = jobs.axis("frequency_ratio", 0.5, 4.5, 130) + jobs.axis("contact.stiffness_n_per_m", 2e6, 2e7, 130)
 
 

@@ -10,6 +10,8 @@ import jobs
 import launch
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 FOLD, DOUBLING, GRAZING = range(3)
 JOB = jobs.small_curves(points=32) + "\n[curves]\ngap_ratio = [0.0, 1.0, 1.5]\n\n[certificate]\ncells = \"all\"\n"
 # Of 1/1: where its multiplier is 1 or -1, or where it ends with the free swing, from an independent program.

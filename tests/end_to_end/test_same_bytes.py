@@ -13,6 +13,8 @@ import jobs
 import launch
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.mark.parametrize("ranks", [1, 2, 3, 4, 7])
 def test_a_map_is_the_same_at_any_number_of_ranks(tmp_path, small_map_file, ranks):

@@ -14,6 +14,8 @@ import disk_faults
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 TESTS = Path(__file__).parents[1]
 sys.path[:0] = [str(TESTS / "postprocess"), str(TESTS.parent / "postprocess")]
 sealing = importlib.import_module("sealing")

@@ -10,6 +10,8 @@ import pytest
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 POSTPROCESS = Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
 from peterka.maps.map_file import PeterkaFile  # noqa: E402

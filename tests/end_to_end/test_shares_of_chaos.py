@@ -9,6 +9,8 @@ import kept_places
 import launch
 import shares_of_chaos
 
+pytestmark = pytest.mark.thorough
+
 CHAOTIC, NO_IMPACT = 2, 0
 # one start in nine leaves the chaos within the cycles for which a start is followed
 DYING_RIG = """

@@ -10,6 +10,8 @@ import jobs
 import launch
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 
 def start_at_work(folder, *arguments):
     process = launch.start("run", "job.toml", *arguments, cwd=folder)

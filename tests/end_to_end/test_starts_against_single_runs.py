@@ -9,6 +9,8 @@ from scipy.integrate import solve_ivp
 import jobs
 import many_starts
 
+pytestmark = pytest.mark.thorough
+
 COUNT = 12
 RECTANGLE = {"displacement": (-4.0, 0.25), "velocity": (-4.0, 4.0)}
 ROUNDING = 15  # sensitivity above which another engine may change a label: its errors exceed those of rounding

@@ -10,6 +10,8 @@ import pytest
 
 import launch
 
+pytestmark = pytest.mark.thorough
+
 FOLDER = Path(__file__).resolve().parents[1] / "benchmark"
 sys.path.insert(0, str(FOLDER))
 

@@ -48,6 +48,7 @@ def test_after_fresh_the_way_on_is_without_it(tmp_path):
     assert "without --fresh" in finished.stderr
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("ranks", [None, 3])
 def test_many_short_runs_make_the_same_file_as_one(tmp_path, larger_map_file, ranks):
     jobs.write(tmp_path, jobs.larger_map())
@@ -126,6 +127,7 @@ def test_a_run_with_a_killed_rank_ends_and_goes_on(tmp_path, larger_map_file, ra
     map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
 
 
+@pytest.mark.thorough
 def test_kills_at_random_moments_lose_nothing(tmp_path, medium_map_file):
     """tests/endurance.sh kills some hundred more."""
     jobs.write(tmp_path, jobs.medium_map())
@@ -133,6 +135,7 @@ def test_kills_at_random_moments_lose_nothing(tmp_path, medium_map_file):
     assert toll.harm == 0, toll
 
 
+@pytest.mark.thorough
 def test_kills_lose_nothing_of_the_outcomes_of_drawn_rigs(tmp_path):
     job = uncertain_rigs.small_map(rigs=20, columns=64, rows=64)
     whole, _ = uncertain_rigs.compute(tmp_path, job, "--quiet", ranks=2)
@@ -239,6 +242,7 @@ def test_a_run_holds_the_lock_of_its_file_until_its_end(tmp_path):
     assert not (tmp_path / "job.h5.peterka-lock").exists()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("fresh", [[], ["--fresh"]])
 def test_a_file_that_another_run_writes_is_not_entered(tmp_path, fresh):
     jobs.write(tmp_path, jobs.small_map())

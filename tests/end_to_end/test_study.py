@@ -11,6 +11,8 @@ import jobs
 import launch
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 
 def compute(folder, text, *arguments, ranks=None):
     jobs.write(folder, text)

@@ -15,6 +15,8 @@ import many_starts
 import map_contents
 from conftest import compute
 
+pytestmark = pytest.mark.thorough
+
 GAPS, POINTS, SAMPLES = (0.0, 2.5), 25, 12
 FIRST, LAST = 1.0, 3.4
 LABEL = ("attractor_regime", "attractor_impacts", "attractor_period")

@@ -40,6 +40,7 @@ def files(tmp_path_factory):
     return {kind: uncertain_rigs.compute(tmp_path_factory.mktemp("uncertain"), text()) for kind, text in KINDS.items()}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("ranks", [2, 7])
 def test_it_is_the_same_at_any_number_of_ranks(tmp_path, files, kind, ranks):
@@ -47,6 +48,7 @@ def test_it_is_the_same_at_any_number_of_ranks(tmp_path, files, kind, ranks):
     map_contents.assert_same_map(path, files[kind][0])
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", ["map", "map with starts", "sweep"])
 def test_it_is_the_same_after_kills(tmp_path, files, kind):
     uncertain_rigs.write(tmp_path, KINDS[kind]())
@@ -186,6 +188,7 @@ def test_bad_files_of_numbers_get_words(tmp_path):
     says(None, "names a file that isn't there", 'did you mean "stop_identifed.toml"?')
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("start", ["", "[start]\ndisplacement_ratio = -1.5\nvelocity_ratio = 2.0\n", many_starts.table(4)],
                          ids=["at rest", "from a start", "each from a start of its own"])
 def test_probabilities_are_those_of_plain_draws(tmp_path, start):

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+pytestmark = pytest.mark.thorough
+
 GAP = 1.5
 MASS, DAMPING, STIFFNESS, CONTACT_DAMPING = 0.298, 0.06, 5.5e6, 1.2e3
 OMEGA = 2 * np.pi * 4.5

@@ -16,6 +16,8 @@ from peterka.identification.solve import solved
 from peterka.identification.words import UNITS, channel_lines
 from simulated_hammer import Hammer, noisy, simulate, write
 
+pytestmark = pytest.mark.thorough
+
 RATE, FINE, NOISE = 51200.0, 10, 0.003
 HAMMER = Hammer()
 TRUE = {numbers_found.STIFFNESS: HAMMER.stiffness, numbers_found.DAMPING: HAMMER.damping, numbers_found.FREQUENCY: HAMMER.hertz,

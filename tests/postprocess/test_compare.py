@@ -12,6 +12,8 @@ from picture_samples import CHAOTIC, MISSING, NO_IMPACT, PLAIN, Drawn, orbit, wr
 from picture_texts import has_scales
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 FORCES = [[10.0, 10, 10, 10], [10, 10, 10, 10], [10, 0, 0, 0], [0, 0, 0, 0]]
 
 

@@ -22,6 +22,8 @@ from picture_texts import faults_of_layout
 from sweep_samples import write_sweep
 from trace_samples import write_trace
 
+pytestmark = pytest.mark.thorough
+
 COLUMN = 84  # mm
 APART = 12  # in lightness: two greys distinguishable in print, adjacent or not
 BLOCKS = np.repeat(np.repeat(np.array(ALL_CLASSES), 12, axis=0), 12, axis=1)

@@ -15,6 +15,8 @@ from sealing import SealedFile
 from study_samples import write_labels
 from sweep_samples import write_sweep
 
+pytestmark = pytest.mark.thorough
+
 COMMAND = "a\x1b]0;owned\x07\x1b[2J\u009b31m\u202e\nb\r"
 LIVE = "<script>alert(1)</script> ![x](http://a.example/?b) [y](javascript:z) `c` **d** | www.evil.example me@b.example"
 

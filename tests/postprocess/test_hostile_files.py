@@ -10,6 +10,8 @@ import pytest
 from hostile_files import CLAIMED, JOB, full_basin, hostile_files
 from picture_samples import PLAIN, write_map
 
+pytestmark = pytest.mark.thorough
+
 CASES = [
     ("draw", "map", "regime: unsigned"), ("draw", "map", "peak_force_ratio: 1e308"),
     ("draw", "map", "peak_force_ratio: one of 1e308"), ("draw", "map", "frequency_ratio: 1e308"),

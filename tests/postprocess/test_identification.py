@@ -86,6 +86,7 @@ def test_an_elastic_stop_has_no_damping():
     assert stiffness == pytest.approx(MASS * (np.pi / 1e-3) ** 2) and damping == 0
 
 
+@pytest.mark.thorough
 def test_errors_are_those_of_repetition(tmp_path):
     """Over recordings that differ only in their noise, the estimates scatter as their errors state."""
     pulls = []
@@ -98,6 +99,7 @@ def test_errors_are_those_of_repetition(tmp_path):
     assert np.all((0.4 < spread) & (spread < 1.7)), spread
 
 
+@pytest.mark.thorough
 def test_errors_of_noise_whose_neighbours_are_alike_are_those_of_repetition(tmp_path):
     """As left by an imperfect model. White noise of the same size would change the estimates by half as much."""
     pulls = []
@@ -189,6 +191,7 @@ def test_bad_arguments(run_program, arguments, reason):
     assert code == 2 and reason in err and err.count("\n") == 1, err
 
 
+@pytest.mark.thorough
 def test_what_never_ends_is_no_recording():
     """Two gigabytes bound the memory, which /dev/zero must not exhaust."""
     code = "import resource, sys; resource.setrlimit(resource.RLIMIT_AS, (2**31, 2**31)); import identify; sys.exit(identify.main())"
@@ -198,6 +201,7 @@ def test_what_never_ends_is_no_recording():
         assert done.returncode == 2 and "too large" in done.stderr, done.stderr
 
 
+@pytest.mark.thorough
 def test_empty_lines_without_end_are_no_recording():
     with subprocess.Popen(["yes", ""], stdout=subprocess.PIPE) as lines:
         done = subprocess.run([sys.executable, "identify.py", "/dev/stdin", "--mass-kg", "0.298"], cwd=POSTPROCESS, stdin=lines.stdout,
@@ -216,6 +220,7 @@ def test_force_and_acceleration_tell_a_wrong_mass(tmp_path, factor):
     refuse_contradicting(recording, look(recording), 1.1 * MASS)
 
 
+@pytest.mark.thorough
 def test_errors_as_told_decide_whether_a_stop_is_told(tmp_path):
     """Not those that neighbouring residuals would have if they had nothing in common."""
     found = fit(read_recording(write(tmp_path / "a.csv", noise=0.02), None, None), MASS, {"gap": 0.0})

@@ -23,6 +23,8 @@ from peterka.identification.starts import begin, samples_of
 from scipy.signal import fftconvolve, firwin
 from simulated_hammer import Hammer, noisy, simulate
 
+pytestmark = pytest.mark.thorough
+
 HAMMER = Hammer()
 RATIO = HAMMER.damping / (2 * np.sqrt(HAMMER.stiffness * HAMMER.mass))
 CONTACT = pulse(HAMMER.mass, HAMMER.stiffness, HAMMER.damping)[1]  # s

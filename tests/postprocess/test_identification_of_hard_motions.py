@@ -3,6 +3,8 @@
 import pytest
 import test_identification_of_motions as motions
 
+pytestmark = pytest.mark.thorough
+
 
 def test_a_wrong_gap_is_refused(tmp_path, run_program):
     motions.refuses_a_wrong_gap(tmp_path, run_program, ["acceleration"], 0.01)

@@ -19,6 +19,8 @@ from peterka.identification.recording import Recording
 from identification_coverage import PER_CONTACT, coverage_faults, pulls_of
 from simulated_hammer import Hammer, driven, noisy, simulate, write
 
+pytestmark = pytest.mark.thorough
+
 RATE = 51200.0
 HAMMER = Hammer()
 # Rigs of tests/endurance.sh identification that were refused or mistaken; test_identification_of_hard_motions.py has more of them.

@@ -12,6 +12,8 @@ from measured_sweep import Rig, sweep
 from peterka.identification import branches, sweep_adequacy, sweep_fit
 from peterka.identification.sweep_rig import USUAL, read_rig
 
+pytestmark = pytest.mark.thorough
+
 RIG = Rig(mass=1.7, hertz=9.0, ratio=0.02, amplitude=1.1e-3, stiffness=6.0e6, damping=1100.0, gap=0.7e-3)
 BEGUN = Rig(RIG.mass, RIG.hertz, 0.02, RIG.amplitude, 1.25 * RIG.stiffness, 0.8 * RIG.damping, 0.55e-3)
 NOISE = 0.02

@@ -14,6 +14,8 @@ from peterka.identification.recording import Recording
 from peterka.identification.starts import begin, samples_of
 from simulated_hammer import Hammer, noisy, simulate
 
+pytestmark = pytest.mark.thorough
+
 FINE = 32  # steps of what tells the true touches, in one sample
 
 

@@ -13,6 +13,8 @@ from peterka.identification.recording import Recording
 from peterka.identification.starts import begin
 from simulated_hammer import Hammer, noisy, simulate
 
+pytestmark = pytest.mark.thorough
+
 RATE = 51200.0
 
 

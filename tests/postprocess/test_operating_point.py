@@ -24,6 +24,8 @@ from sealing import SealedFile, seal_file
 from starts_samples import EMPTY, add_starts
 from sweep_samples import write_sweep
 
+pytestmark = pytest.mark.thorough
+
 WEIGHT = 0.298 * 9.80665
 ONE, TWICE = orbit(1, 1), orbit(2, 2)
 JOB = """

@@ -21,6 +21,8 @@ from sealing import SealedFile
 from starts_samples import EMPTY
 from uncertain_samples import KINDS, by_probability, forces, probabilities, write_uncertain
 
+pytestmark = pytest.mark.thorough
+
 WEIGHT = 0.298 * 9.80665
 ROWS, COLUMNS = 24, 32
 LOW = forces(ROWS, COLUMNS)[0]

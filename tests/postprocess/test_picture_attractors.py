@@ -15,6 +15,8 @@ from picture_samples import NO_IMPACT, UNRESOLVED, Drawn, colour_named, orbit, w
 from picture_texts import drawn_texts, faults_of_layout
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 
 def seen(file, figure, folder):
     drawn = Drawn(figure, folder / "a.png")

@@ -9,6 +9,8 @@ from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, NO_IMPACT, Drawn, orbit, write_audit, write_map
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 PLACES = [(0, 0), (0, 2), (1, 2), (3, 3), (2, 0)]
 LABELS = [orbit(1, 1), orbit(1, 1), CHAOTIC, NO_IMPACT, orbit(1, 1)]
 ERRORS = [1e-9, np.nan, np.nan, np.nan, 1e-7]

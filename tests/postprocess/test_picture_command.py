@@ -11,6 +11,8 @@ from conftest import POSTPROCESS
 from picture_samples import MISSING, PLAIN, write_basin, write_map
 from sealing import unfinish
 
+pytestmark = pytest.mark.thorough
+
 MAP_PICTURES = ["force_1_1", "force_all", "map"]
 BASIN_PICTURES = ["basin", "basin_impact"]
 

@@ -1,9 +1,12 @@
 """A refined map: which cells are computed."""
 
 import numpy as np
+import pytest
 from peterka.maps import computed_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import MISSING, NO_IMPACT, Drawn, orbit, write_map
+
+pytestmark = pytest.mark.thorough
 
 CELLS = [[orbit(1, 1)] * 4, [NO_IMPACT] * 4, [NO_IMPACT] * 3 + [MISSING]]
 COMPUTED = [[1, 0, 1, 0], [0, 0, 0, 0], [1, 0, 0, -128]]

@@ -17,6 +17,8 @@ from peterka.pictures import open_file, pictures_of
 from picture_samples import PLAIN, write_map
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 
 def drawn(path, picture, tmp_path):
     with CurvesFile(path) as file, style.using():

@@ -5,6 +5,8 @@ from peterka.maps import basin_map, last_impact
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, FAILED, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin, write_map
 
+pytestmark = pytest.mark.thorough
+
 CELLS = [[NO_IMPACT, NO_IMPACT, NO_IMPACT, NO_IMPACT], [NO_IMPACT, orbit(1, 1), CHAOTIC, UNRESOLVED],
          [FAILED, MISSING, NO_IMPACT, NO_IMPACT]]
 LAST = [[0, 1, 30, 31], [300, -1, -1, -1], [-1, -1, 301, 20000]]

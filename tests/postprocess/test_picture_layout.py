@@ -22,6 +22,8 @@ from study_samples import write_labels, write_stability, write_work_precision
 from sweep_samples import FREQUENCY, write_sweep
 from trace_samples import write_trace
 
+pytestmark = pytest.mark.thorough
+
 # Not every title with every size: each fault appears in one of these.
 CASES = [("short", "usual"), ("long", "tiny"), ("one word", "huge")]
 TITLES = {"short": "Sample", "long": "A title with many words that says all there is to say of a rig and more " * 2,

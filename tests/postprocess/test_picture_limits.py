@@ -11,6 +11,8 @@ from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep
 from uncertain_samples import write_uncertain_sweep
 
+pytestmark = pytest.mark.thorough
+
 
 @pytest.mark.parametrize("times", [1, 100])  # forces in N, and in kN
 def test_limits_in_si_are_newtons_whatever_the_prefix(tmp_path, times):

@@ -22,6 +22,8 @@ from sealing import SealedFile, seal_file
 from starts_samples import add_starts
 from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
+pytestmark = pytest.mark.thorough
+
 
 def points(tmp_path, text, **sample):
     path = tmp_path / "points.csv"

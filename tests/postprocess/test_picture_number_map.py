@@ -9,6 +9,8 @@ from peterka.maps.map_file import PURE_NUMBERS, PeterkaFile
 from peterka.pictures import pictures_of
 from picture_samples import CHAOTIC, FAILED, NO_IMPACT, Drawn, colour_named, orbit, write_map
 
+pytestmark = pytest.mark.thorough
+
 CELLS = [[orbit(1, 1), orbit(1, 2)], [CHAOTIC, NO_IMPACT], [FAILED, orbit(1, 1)]]
 
 

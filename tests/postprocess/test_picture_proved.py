@@ -2,10 +2,13 @@
 
 import h5py
 import numpy as np
+import pytest
 from peterka.maps import proved_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, Drawn, orbit, write_map
 from starts_samples import add_starts
+
+pytestmark = pytest.mark.thorough
 
 CELLS = [[orbit(1, 1)] * 4, [NO_IMPACT] * 4, [CHAOTIC, orbit(1, 2), NO_IMPACT, MISSING]]
 CERTIFIED = [[1, -3, 1, 1], [2, 2, 2, 2], [0, -6, 0, -128]]

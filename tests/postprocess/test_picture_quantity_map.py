@@ -15,6 +15,8 @@ from picture_samples import (
 )
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 NAN = np.nan
 CELLS = [
     [orbit(1, 1), orbit(1, 2), CHAOTIC, orbit(7, 3)],

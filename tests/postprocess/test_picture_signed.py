@@ -15,6 +15,8 @@ from peterka.plotting import style
 from picture_samples import orbit, write_map
 from test_picture_elasticity import STIFFNESS, sample
 
+pytestmark = pytest.mark.thorough
+
 ROWS, COLUMNS = 8, 12
 
 

@@ -15,6 +15,8 @@ from study_samples import (
 )
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 NAN = np.nan
 DONE = ["done"] * 3
 

@@ -16,6 +16,8 @@ from peterka.sweeps.sweep_panels import LOOKS, place_text
 from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
+pytestmark = pytest.mark.thorough
+
 NOTHING = Measurements([], [])
 
 

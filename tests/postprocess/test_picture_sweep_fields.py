@@ -10,6 +10,8 @@ from sealing import SealedFile
 from sweep_samples import FREQUENCY, WEIGHT, write_sweep
 from test_picture_sweep import legend_texts, lines_of, panels_of
 
+pytestmark = pytest.mark.thorough
+
 SHAPE = (4, len(FREQUENCY))
 RISING = np.arange(52.0).reshape(SHAPE)
 

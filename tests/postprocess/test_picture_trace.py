@@ -12,6 +12,8 @@ from peterka.traces.trace_file import TraceFile
 from trace_samples import AMPLITUDE, CONTACT, HZ, JUMP, PEAK, TOUCH, WEIGHT, write_trace
 from sealing import SealedFile
 
+pytestmark = pytest.mark.thorough
+
 
 def drawn(path, picture, tmp_path):
     with TraceFile(path) as file:

@@ -24,6 +24,8 @@ from sealing import SealedFile
 from sweep_samples import write_sweep
 from uncertain_samples import AXES, JOB, add_outcomes, forces, probabilities, write_uncertain, write_uncertain_sweep
 
+pytestmark = pytest.mark.thorough
+
 ROWS, COLUMNS = 24, 32
 SHARES = probabilities(ROWS, COLUMNS)  # of 1/1, no impact, 2/2, chaos
 CAPTION = "64 rigs drawn: stop stiffness ±3 %, damping ratio 0.003 to 0.005 (±: standard deviation)"

@@ -3,6 +3,8 @@
 import pytest
 import test_picture_uncertain as sample
 
+pytestmark = pytest.mark.thorough
+
 SHARES = sample.SHARES
 
 

@@ -12,6 +12,8 @@ from study_samples import write_labels, write_stability, write_work_precision
 from sweep_samples import write_sweep
 from trace_samples import write_trace
 
+pytestmark = pytest.mark.thorough
+
 TITLE = "What this file is called"
 
 

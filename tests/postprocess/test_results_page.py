@@ -12,6 +12,8 @@ from study_samples import write_labels, write_stability, write_work_precision
 from sealing import SealedFile
 from test_picture_audit import AGREES, ERRORS, LABELS, PLACES
 
+pytestmark = pytest.mark.thorough
+
 
 def run_program(name, folder, *arguments):
     return subprocess.run([sys.executable, POSTPROCESS / name, *arguments], cwd=folder, capture_output=True, text=True,

@@ -104,7 +104,7 @@ int refused_within(const job::CellNumbers& numbers, const BranchCrossing& crossi
     return verdict == Crossed::proved ? 0 : 1;
 }
 
-TEST(CrossingProof, NineOfTenAreProvedAndHoldTheNumberTold) {
+TEST(CrossingProofThorough, NineOfTenAreProvedAndHoldTheNumberTold) {
     int proved = 0;
     int narrow = 0;
     int again = 0;
@@ -128,7 +128,7 @@ TEST(CrossingProof, NineOfTenAreProvedAndHoldTheNumberTold) {
     EXPECT_GE(again, proved * 99 / 100);
 }
 
-TEST(CrossingProof, MovedIntervalsAreRefused) {
+TEST(CrossingProofThorough, MovedIntervalsAreRefused) {
     int tried = 0;
     int refused = 0;
     for (const Known& each : known_crossings()) {
@@ -160,7 +160,7 @@ bool is_told_within(job::Job job, const job::CellNumbers& numbers, const Interva
 
 // The crossing of another gap, or rig, in the interval proved for the right one. Near a resonance a wide
 // interval may hold both: the statement is true then.
-TEST(CrossingProof, OtherGapsAndRigsAreRefused) {
+TEST(CrossingProofThorough, OtherGapsAndRigsAreRefused) {
     int tried = 0;
     int refused = 0;
     for (const Known& each : known_crossings()) {
@@ -196,7 +196,7 @@ TEST(CrossingProof, OtherGapsAndRigsAreRefused) {
     EXPECT_GT(refused, 200);
 }
 
-TEST(CrossingProof, OtherKindsAreRefused) {
+TEST(CrossingProofThorough, OtherKindsAreRefused) {
     int tried = 0;
     int refused = 0;
     for (const Known& each : known_crossings()) {
@@ -224,7 +224,7 @@ TEST(CrossingProof, OtherKindsAreRefused) {
 }
 
 // A flight's largest delta taken for its smallest beyond the surface, or the other way round.
-TEST(CrossingProof, OtherGrazingsAreRefused) {
+TEST(CrossingProofThorough, OtherGrazingsAreRefused) {
     int tried = 0;
     int refused = 0;
     int beyond_surface = 0;
@@ -246,7 +246,7 @@ TEST(CrossingProof, OtherGrazingsAreRefused) {
 }
 
 // A contact, or a bounce, removed from the chain.
-TEST(CrossingProof, AContactLeftOutIsRefused) {
+TEST(CrossingProofThorough, AContactLeftOutIsRefused) {
     int tried = 0;
     int refused = 0;
     for (const Known& each : known_crossings()) {
@@ -266,7 +266,7 @@ TEST(CrossingProof, AContactLeftOutIsRefused) {
 }
 
 // The same orbit, twice: q is not its smallest period.
-TEST(CrossingProof, TheDoubleOfAPeriodIsRefused) {
+TEST(CrossingProofThorough, TheDoubleOfAPeriodIsRefused) {
     int tried = 0;
     int refused = 0;
     for (const Known& each : known_crossings()) {

@@ -117,7 +117,7 @@ TEST_F(RigFiles, AChainOfRigsHasAnEnd) {
         return complaint_about(job_head + "rig = \"rigs/1.toml\"\n" + axes_tables);
     };
     EXPECT_EQ(chain_of(16), "accepted");
-    for (const int rigs : {17, 20'000}) {
+    for (const int rigs : {17, 300}) {
         EXPECT_NE(chain_of(rigs).find("is the end of a chain of more than 16 rigs"), std::string::npos);
     }
 }

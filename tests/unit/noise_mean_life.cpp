@@ -152,7 +152,7 @@ TEST(DisturbedLife, StrongerDisturbancesEndItSooner) {
 }
 
 // Rates, as these are means of what the seeds tell.
-TEST(DisturbedLife, ErrorsOfRareEndsAreTheSpreadOfSeeds) {
+TEST(DisturbedLifeThorough, ErrorsOfRareEndsAreTheSpreadOfSeeds) {
     const testing::Settled motion = free_beside_rigid_stop(2.3, 1.6, 0.01);
     DisturbedMap map(motion.oscillator, {}, white(0.02));
     const auto home = Home::of(map, motion.point, 1);
@@ -184,7 +184,7 @@ TEST(DisturbedLife, ErrorsOfRareEndsAreTheSpreadOfSeeds) {
 
 // How often it is asked whether a motion returns is drawn from its first exits: asked at fixed times, lives of
 // this one were 3800 to 26,000 cycles by seed, with errors of 6 to 15 %.
-TEST(DisturbedLife, LivesOfExitsThatChanceUndoesHardlyDependOnTheSeed) {
+TEST(DisturbedLifeThorough, LivesOfExitsThatChanceUndoesHardlyDependOnTheSeed) {
     const scene::Oscillator<double> oscillator{.damping_ratio = 0.0251406,
                                                .contact = scene::KelvinVoigt<double>{4220.45, 2.77566},
                                                .frequency = 1.418025,
@@ -205,7 +205,7 @@ TEST(DisturbedLife, LivesOfExitsThatChanceUndoesHardlyDependOnTheSeed) {
 }
 
 // By lineages alone, 1 of 20 seeds told lives 5 to 70 times too long, with errors of 60 %.
-TEST(DisturbedLife, FewPathsTellABoundAlone) {
+TEST(DisturbedLifeThorough, FewPathsTellABoundAlone) {
     const scene::Oscillator<double> oscillator{.damping_ratio = 0.0713704,
                                                .contact = scene::KelvinVoigt<double>{6764.2, 24.618},
                                                .frequency = 2.713411,
@@ -225,7 +225,7 @@ TEST(DisturbedLife, FewPathsTellABoundAlone) {
 
 // How far home reaches is seen in some directions: between fingers of another basin these may all return by
 // chance.
-TEST(DisturbedLife, RigsThatHardlyDifferHaveLivesThatHardlyDo) {
+TEST(DisturbedLifeThorough, RigsThatHardlyDifferHaveLivesThatHardlyDo) {
     std::vector<double> lives;
     for (const double more : {0.0, 2e-9, 4e-9, 6e-9, 8e-9, 1e-8, 1.2e-8, 1.4e-8}) {
         const testing::Settled motion = free_beside_rigid_stop(2.5, 2 + more, 0.0036);

@@ -19,7 +19,7 @@ using testing::regular_cells;
 using testing::settle;
 using testing::settled_oracle;
 
-TEST(SplitSteps, KeepTheErrorOfPeakForceBelowTheTolerance) {
+TEST(SplitStepsThorough, KeepTheErrorOfPeakForceBelowTheTolerance) {
     int fit = 0;
     for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
         for (const double stronger : {1.0, 1e3, 1e5}) {
