@@ -46,7 +46,7 @@ class KickScan {
     [[nodiscard]] const KickTried& smallest() const { return *smallest_; }
     // The size up to which kicks were tried at all phases.
     [[nodiscard]] double tried() const;
-    // The same, and the end of each is known: where none is found().
+    // The same, and the end of each smaller one is known.
     [[nodiscard]] double known() const { return unknown_ ? std::min(unknown_->size(), tried()) : tried(); }
 
   private:

@@ -21,8 +21,11 @@ KickScan::Outcome outcome_of(const regime::CellResult& settled, const regime::Ce
         return outcome;
     }
     if (regime::same_attractor(settled, ended)) return outcome;
-    const bool is_chaos = ended.regime == chaotic || (ended.regime == unresolved && outcome.chaotic > 0);
-    outcome.end = is_chaos ? End::chaos : End::elsewhere;
+    if (ended.regime == unresolved && outcome.chaotic == 0) {
+        outcome.end = End::unknown;  // the budget ran out on a way that may lead back
+        return outcome;
+    }
+    outcome.end = ended.regime == chaotic || ended.regime == unresolved ? End::chaos : End::elsewhere;
     return outcome;
 }
 
@@ -57,7 +60,7 @@ Task<cell::Kick> smallest_kick(SearchBroker& broker, const KickedCell& cell, con
     for (auto kicks = scan.next({}); !kicks.empty();) {
         kicks = scan.next(co_await outcomes_of(broker, cell, attractor.result, orbit, std::move(kicks)));
     }
-    kick.tried = scan.found() ? scan.tried() : scan.known();
+    kick.tried = scan.known();
     const auto safe = largest_safe_kick(orbit, cell.known, cell.oscillator, *attractor.orbit, scan.tried());
     if (safe) kick.lower = *safe;
     if (!scan.found()) co_return kick;

@@ -36,6 +36,7 @@ bool lost_slots(const quantities::StoredCell& cell, const Slots& slots, std::int
 void add_known(quantities::StoredCell& cell, Slots& slots, std::span<const quantities::StoredAttractor> known,
                std::int64_t kept) {
     const std::int64_t shares = with_share(slots);
+    if (cell.attractors > shares) return;  // a motion could be one of those that had no room
     slots.insert(slots.end(), known.begin(), known.end());
     // the smallest shares give way, but neither the largest nor that of [start], which is known, too
     for (std::int64_t slot = shares - 1; slot > 0 && std::ssize(slots) > kept; --slot) {

@@ -64,7 +64,10 @@ job::Job job_of_cell(bool measures_impacts) {
     job.start = {cell[displacement_ratio], cell[velocity_ratio]};
     job.steady_state = {whole(max_cycles), whole(max_period), whole(chaos_cycles)};
     job.solver = {static_cast<job::EngineChoice>(whole(engine_choice)), cell[tolerance], cell[omit_tolerance]};
-    if (measures_impacts) job.output.fields = {job::OptionalField::impact_speed};
+    if (measures_impacts) {
+        using enum job::OptionalField;
+        job.output.fields = {impact_speed, impulse, contact_power, max_displacement};
+    }
     return job;
 }
 

@@ -172,7 +172,7 @@ def test_motions_of_a_rigid_stop_are_told_apart_by_their_orbits(browser, map_pag
     parts = [re.search(rf"^{part}", text, re.DOTALL | re.MULTILINE).group() for text, part in (
         (file, r"const \[NO_IMPACT.*?;"), (file, r"function labelWords.*?^}"), (plot, r"function digits.*?^}"), (basin, r"const sameLabel.*?;"),
         (basin, r"function sameMotion.*?^}"), (basin, r"class Motions.*?^}"))]
-    stubs = "const [content, classOf, shade, abgr, signed] = [{classes: [{colour: ''}]}, () => 0, (colour) => colour, () => 0, (text) => text];"
+    stubs = "const [content, classOf, shade, abgr, signed, BASIN_ALPHA] = [{classes: [{colour: ''}]}, () => 0, (colour) => colour, () => 0, (text) => text, 1];"
     answers = ", ".join(f"{{regime: PERIODIC, impacts: 1, period: {period}, peak_force_ratio: NaN, engine: {engine}, orbit_displacement: {u}, orbit_velocity: 2}}"
                         for period, u, engine in ((2, -1.5, 0), (2, -1.5003, 0), (2, -1.50000001, 0), (2, -1.503, 1), (1, -1.5, 0)))
     legend = browser.ask(f"(() => {{ {stubs} {' '.join(parts)} const motions = new Motions();"

@@ -125,5 +125,26 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     EXPECT_TRUE(std::isnan(smallest.lower));  // no neighbourhood is known
 }
 
+// A search that ended by its budget may have been on its way back.
+TEST(Kicks, UnfinishedSearchesEndNowhere) {
+    const Kicked kicked = two_orbits();
+    const regime::AttractorTable known;
+    const KickedCell cell{kicked.oscillator, 4, known,
+                          [&](const scene::State<double>&) { return SearchFactory{}; }};
+    SearchBroker broker;
+    const auto task = smallest_kicks(broker, cell, kicked.entries);
+    task.start();
+    CellResult unfinished;
+    unfinished.regime = Regime::unresolved;
+    unfinished.status = cell::Status::budget;
+    unfinished.cycles = 30;
+    for (int rounds = 0; !task.done(); ++rounds) {
+        ASSERT_LT(rounds, 1000);
+        broker.serve(std::vector<SearchOutcome>(broker.ordered().size(), {.result = unfinished}));
+    }
+    EXPECT_TRUE(std::isnan(task.result()[1].size));
+    EXPECT_LT(task.result()[1].tried, 4.0 / 64);  // the smallest size that was tried
+}
+
 }  // namespace
 }  // namespace peterka::attractors

@@ -77,6 +77,15 @@ TEST(KnownSlots, LeaveTheLargestShare) {
     EXPECT_FALSE(lost_slots(here, slots, 1));
 }
 
+// Such a motion could be one of those that starts found and that had no room: without a share it would be told
+// as found by none.
+TEST(KnownSlots, AreNoneWhereSomeWithAShareHadNoRoom) {
+    StoredCell here = cell(3, 0);
+    Slots slots{slot(0.5, 1), slot(0.3, 2)};
+    add_known(here, slots, std::vector{slot(0, 4)}, 2);
+    EXPECT_EQ(forces(slots), (std::vector<double>{1, 2}));
+}
+
 // More than were stored from the beginning.
 TEST(KnownSlots, AreNotMissedWhereTheCellHadNoRoom) {
     const StoredCell here = cell(5, 0);

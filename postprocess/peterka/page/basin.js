@@ -2,6 +2,7 @@
 // is a point of that plane, because the cart then passes its centre: x = u, x' = u' + eta.
 
 const BASIN_SIZE = 96;
+const BASIN_ALPHA = 0.55; // behind the phase plane
 
 function liveBasin(workers, cell, window, changed) {
   const motions = new Motions();
@@ -43,7 +44,8 @@ class Motions {
     let motion = this.all.find((one) => sameMotion(one, answer));
     if (!motion) {
       const kind = classOf(answer.regime, answer.impacts, answer.period);
-      const colour = shade(content.classes[kind].colour, this.all.filter((one) => sameLabel(one, answer)).length);
+      const colour = answer.regime === NOT_COMPUTED ? NO_VALUE_COLOUR
+        : shade(content.classes[kind].colour, this.all.filter((one) => sameLabel(one, answer)).length);
       motion = { ...answer, colour, painted: abgr(colour), count: 0 };
       this.all.push(motion);
     }
@@ -64,8 +66,8 @@ class Motions {
       return `, ${told(one, places)}`;
     };
     return [...this.all].sort((a, b) => b.count - a.count).slice(0, 8).map((one) => ({
-      label: labelWords(one.regime, one.impacts, one.period) + (one.regime === PERIODIC ? apart(one) : ""),
-      colour: one.colour, share: one.count / sum,
+      label: one.regime === NOT_COMPUTED ? BEYOND_LABEL : labelWords(one.regime, one.impacts, one.period) + (one.regime === PERIODIC ? apart(one) : ""),
+      colour: `color-mix(in srgb, ${one.colour} ${100 * BASIN_ALPHA}%, var(--paper))`, share: one.count / sum,
     }));
   }
 }

@@ -167,7 +167,8 @@ class BranchesView extends PlaneView {
   // Moves along the track; up and down to the next height at this coordinate.
   walk(right, up) {
     const middle = Math.round((file.columns.values.length - 1) / 2);
-    const { track, column, sample, y } = this.hover ?? this.target ?? { track: this.#tracks.at(-1).number, column: middle };
+    const here = [this.hover, this.target].find((one) => one && content.tracks[one.track].gap === this.gap);
+    const { track, column, sample, y } = here ?? { track: this.#tracks.at(-1).number, column: middle };
     const to = Math.min(Math.max(column + right, 0), file.columns.values.length - 1);
     let next;
     if (up === 0) next = [...this.#points(track, to, to)].find((point) => point.sample === sample) ?? [...this.#points(track, to, to)][0];

@@ -19,14 +19,20 @@ class CellPanel {
     this.view = "steady";
     this.#listen();
   }
-  // cell: all numbers; inFile: the file's contents there; stored: the same, null for a different rig, place or start.
+  // cell: all numbers; inFile: the file's contents there; stored: the same, null for a different rig, place or start. Until it is
+  // solved, the panel tells what the file has.
   show(cell, inFile, stored) {
     this.inFile = inFile;
-    this.home = null; // the answer to which kicks are applied
+    this.data = null; // the newest answer for this cell
+    this.home = null; // the one to which kicks are applied
     this.starts = [];
     this.#basinOff();
     this.#showKnock(0);
     this.#setView("steady");
+    this.element("numbers").replaceChildren();
+    this.#say("", null);
+    if (stored) this.#tellFile("");
+    else this.#headline(null);
     this.#solve(cell, stored);
   }
   // The same cell from another start at forcing phase 0.
@@ -36,9 +42,10 @@ class CellPanel {
   }
   #solve(cell, stored, start = null) {
     Object.assign(this, { cell, stored, start });
+    const { inFile } = this;
     const refusal = whyNot(cell);
-    this.element("cell").classList.toggle("cannot", refusal !== null);
-    if (refusal) return this.#tellFile(refusal);
+    if (refusal) return this.#cannot(refusal, inFile);
+    this.element("cell").classList.remove("cannot");
     this.element("cell").dataset.state = "solving";
     this.workers.lookAt(cell, (data) => (data.answer ? this.#take(data) : this.#wait(data.spent)), start !== null);
   }
@@ -48,11 +55,17 @@ class CellPanel {
   // Shows the file's contents, and the reason why there is no motion.
   showFile(inFile, refusal) {
     this.workers.giveUp();
-    this.inFile = inFile;
+    Object.assign(this, { inFile, data: null, home: null });
     this.#basinOff();
     this.element("cell").dataset.state = "empty";
+    this.#cannot(refusal, inFile);
+  }
+  // Tells why there is no motion, and what the file has, if this is its cell.
+  #cannot(refusal, inFile) {
     this.element("cell").classList.add("cannot");
-    this.#tellFile(refusal);
+    if (inFile) return this.#tellFile(refusal);
+    this.#headline(null);
+    this.element("proof").textContent = refusal;
   }
   #tellFile(refusal) {
     const { regime, impacts, period, peak_force_ratio: force } = this.inFile;
@@ -62,16 +75,17 @@ class CellPanel {
   }
   #take(data) {
     const { answer } = data;
-    this.data = data;
-    this.home ??= data;
-    const integrator = answer.engine >= 2;
     this.element("cell").dataset.state = "solved";
     this.element("cell").dataset.milliseconds = data.milliseconds.toFixed(1);
     this.element("spent").textContent = "";
+    if (answer.regime === NOT_COMPUTED) {
+      if (this.data) return this.#say(`${this.start.words}: ${BEYOND}`, null); // of a start; the motion shown stays
+      return this.#cannot(BEYOND, this.stored);
+    }
+    this.data = data;
+    if (!this.start) this.home = data;
     this.#headline(answer);
-    this.element("proof").textContent = integrator
-      ? "Its cubic spring is too strong for the closed form; the integrator that carries it is not in the page."
-      : proof(answer, data.multipliers);
+    this.element("proof").textContent = proof(answer, data.multipliers);
     if (this.stored) this.#tellOutcomes(this.stored);
     this.#compare(answer);
     this.#numbers(answer);
@@ -85,7 +99,14 @@ class CellPanel {
     const outcomes = outcomeWords(row, column);
     if (outcomes) this.element("proof").append(` That is the job’s own rig. Of those drawn around it: ${outcomes}.`);
   }
-  #headline({ regime, impacts, period, peak_force_ratio: force, weight_n: weight, chatter }) {
+  // null: nothing is known.
+  #headline(told) {
+    if (told === null) {
+      for (const name of ["z", "newtons", "meaning", "proof"]) this.element(name).textContent = "";
+      this.element("swatch").style.background = "";
+      return;
+    }
+    const { regime, impacts, period, peak_force_ratio: force, weight_n: weight, chatter } = told;
     const kind = classOf(regime, impacts, period);
     this.element("swatch").style.background = content.classes[kind].colour;
     this.element("z").textContent = labelWords(regime, impacts, period);
@@ -93,11 +114,12 @@ class CellPanel {
     this.element("meaning").textContent = meaning({ regime, impacts, period }) + (chatter ? "; chatters to rest on the stop" : "");
   }
   #compare(answer) {
+    if (this.start) return this.#say(`${this.start.words}: ${endWords(answer, this.home.answer)}`, null);
+    const { same, words } = this.stored ? agreement(answer, this.stored) : { same: null, words: "" };
+    this.#say(words, same);
+  }
+  #say(words, same) {
     const badge = this.element("agreement");
-    let { same, words } = this.stored ? agreement(answer, this.stored) : { same: null, words: "" };
-    if (this.start) {
-      words = `${this.start.words}: ${sameMotion(answer, this.home.answer) ? "ends in the same motion" : "ends in another motion"}`;
-    }
     badge.textContent = words;
     badge.dataset.same = String(same);
   }
@@ -117,7 +139,7 @@ class CellPanel {
   }
   async #tellProof(stored) {
     const proof = await file.proof(stored.row, stored.column);
-    if (proof && this.stored === stored) this.element("numbers").append(...numbered(...proofWords(proof)));
+    if (proof && this.stored === stored && this.data) this.element("numbers").append(...numbered(...proofWords(proof, this.data.answer)));
   }
   #keepStart(answer) {
     const colour = content.classes[classOf(answer.regime, answer.impacts, answer.period)].colour;
@@ -216,6 +238,7 @@ class CellPanel {
   cancel() {
     this.workers.giveUp();
     this.element("cell").dataset.state = "given-up";
+    this.element("cell").classList.toggle("cannot", this.data === null);
     this.element("spent").textContent = "given up";
   }
 }

@@ -75,7 +75,8 @@ class Charts {
     const hammer = (i) => samples[5 * i + 1] + samples[5 * i + 2];
     const stop = (i) => samples[5 * i + 1] + gap;
     const low = Math.min(span(count, hammer)[0], span(count, (i) => samples[5 * i + 1])[0]);
-    const high = Math.max(span(count, hammer)[1], Math.min(span(count, stop)[1], span(count, hammer)[1] + 3));
+    const cart = span(count, (i) => samples[5 * i + 1])[1];
+    const high = Math.max(span(count, hammer)[1], cart, Math.min(span(count, stop)[1], span(count, hammer)[1] + 3));
     const plot = this.displacement;
     plot.frame(range, [low, high]);
     plot.axes({ yLabel: "x, y (mm)", xFactor, yFactor: this.millimetre, xTicks: false });
@@ -124,7 +125,7 @@ class Charts {
     if (this.basin?.window === window) {
       plot.clipped((pen) => {
         pen.imageSmoothingEnabled = false;
-        pen.globalAlpha = 0.55;
+        pen.globalAlpha = BASIN_ALPHA;
         const { left, top, width, height } = plot.area;
         pen.drawImage(this.basin.canvas, left, top, width, height);
       });

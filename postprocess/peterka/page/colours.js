@@ -90,8 +90,9 @@ function withoutValue(layer) {
     const value = layer.plane.at(cell);
     if (isNoNumber(layer, value) && !isApart(layer, kinds[file.labels.raw[cell]], value)) ++count;
   }
-  return count > 0 ? [{ label: layer.never ?? "no value", colour: NO_VALUE_COLOUR, share: share(count) }] : [];
+  return noValue(layer, share(count));
 }
+const noValue = (layer, part) => (part > 0 ? [{ label: layer.never ?? "no value", colour: NO_VALUE_COLOUR, share: part }] : []);
 
 // One colour per word or attractor number.
 function wordPainter(layer, entries) {
@@ -127,15 +128,18 @@ function kindPainter(kinds) {
 const isWords = (layer) => layer.words !== undefined || layer.name === "attractor";
 const CATEGORY_COLOURS = ["#F2F2F2", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442"];
 
-// {number, label, colour} of each word that occurs in a layer.
+// {number, label, colour} of each word that occurs in a layer; cells without one come last.
 function wordEntries(layer) {
   if (layer.name === "attractor") return attractorEntries(layer);
-  const counts = countsOf(layer.plane);
-  return Object.entries(layer.words).filter(([number]) => counts.has(Number(number)))
+  const missing = fileCounts()[MISSING];
+  const counts = countsOf(layer.plane, undefined, (cell) => content.labels.table[file.labels.at(cell)][3] !== MISSING);
+  const entries = Object.entries(layer.words).filter(([number]) => counts.has(Number(number)))
     .map(([number, word], place) => ({
       number: Number(number), label: word.replaceAll("_", " "), share: share(counts.get(Number(number))),
       colour: CATEGORY_COLOURS[place % CATEGORY_COLOURS.length],
     }));
+  const rest = 1 - share(missing) - entries.reduce((sum, one) => sum + one.share, 0);
+  return [...entries, ...noValue(layer, rest > 1e-9 ? rest : 0), ...(missing > 0 ? [{ ...content.classes[MISSING], number: MISSING, share: share(missing) }] : [])];
 }
 
 // Attractors of a class in shades of its colour, as in draw.py; -1: none.
@@ -153,9 +157,10 @@ function attractorEntries(layer) {
   });
 }
 
-function countsOf(plane, first = () => {}) {
+function countsOf(plane, first = () => {}, told = () => true) {
   const counts = new Map();
   for (let cell = 0; cell < toldCells; ++cell) {
+    if (!told(cell)) continue;
     const number = plane.at(cell);
     const count = counts.get(number);
     if (count === undefined) first(number, cell);
@@ -190,8 +195,8 @@ function classEntries(counts = fileCounts(), all = counts.reduce((sum, one) => s
 }
 
 // The same with all periodic cells merged.
-function regimeEntries(counts) {
-  const entries = classEntries(counts);
+function regimeEntries(counts, all) {
+  const entries = classEntries(counts, all);
   const periodic = entries.filter(({ number }) => REGIME_COLOURS[number] === PERIODIC_COLOUR);
   const others = entries.filter((one) => !periodic.includes(one));
   const part = periodic.reduce((sum, one) => sum + one.share, 0);

@@ -23,6 +23,8 @@ class CurvesPage extends MapPage {
     if (this.view.hides()) return;
     const kinds = new Set(curves.list.map(({ kind }) => kind));
     linesInto(element("legend"), Object.entries(content.curves.kinds).filter(([kind]) => kinds.has(kind)).map(([, one]) => one));
+    const meetings = new Set(content.curves.specials.map(({ words }) => words));
+    if (meetings.size > 0) marksInto(element("legend"), [["dot", [...meetings].join(", ")]]);
   }
   readOut(target) {
     if (target?.curve === undefined) return super.readOut(target);

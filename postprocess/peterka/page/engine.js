@@ -12,6 +12,9 @@ const ANSWER_NUMBERS = [
   "orbit_velocity", "length_m", "frequency_rad_per_s", "force_n", "weight_n",
 ];
 
+const FIRST_INTEGRATOR = 2; // of the numbers of engines
+const NO_REGIME = -128;
+
 // What a list of cells is solved for: these numbers of each.
 const LISTED_NUMBERS = ["regime", "impacts", "period", "peak_force_ratio", "engine", "orbit_displacement", "orbit_velocity"];
 
@@ -64,9 +67,11 @@ class Engine {
   advance(cycles) {
     return this.functions.peterka_advance(cycles) === 1;
   }
+  // Of a cell that the program would go on with in an integrator, which the page hasn't, nothing is told: regime NOT_COMPUTED.
   answer() {
     const numbers = this.#numbers(this.functions.peterka_answer(), ANSWER_NUMBERS.length);
-    return Object.fromEntries(ANSWER_NUMBERS.map((name, place) => [name, numbers[place]]));
+    const answer = Object.fromEntries(ANSWER_NUMBERS.map((name, place) => [name, numbers[place]]));
+    return answer.engine >= FIRST_INTEGRATOR ? { ...answer, regime: NO_REGIME, impacts: 0, period: 0, peak_force_ratio: NaN } : answer;
   }
   points() {
     const count = this.functions.peterka_count_points();

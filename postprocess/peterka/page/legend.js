@@ -3,11 +3,17 @@
 // What is told in SI units, "" or null if it can't be, and as a ratio: the job's own unit first.
 const inOrder = (si, ratio, first = leadsInSi) => (first ? [si, ratio] : [ratio, si]).filter(Boolean);
 
-// counts: cells of each class of a live map, whose shares replace the file's.
-function drawLegend(parent, layer, counts = undefined) {
+const BEYOND_LABEL = "beyond the page’s engine";
+
+// tally: counts of a live map, whose shares replace the file's.
+function drawLegend(parent, layer, tally = undefined) {
   parent.replaceChildren();
-  if (layer.name === "z") return entriesInto(parent, classEntries(counts));
-  if (layer.name === "regime") return entriesInto(parent, regimeEntries(counts));
+  const beyond = tally?.beyond > 0 ? [{ label: BEYOND_LABEL, colour: NO_VALUE_COLOUR, share: tally.beyond / tally.all }] : [];
+  if (tally && !isLive(layer)) {
+    parent.append(Object.assign(document.createElement("div"), { className: "about", textContent: `A live map has z instead of ${layer.title}.` }));
+  }
+  if (layer.name === "z" || (tally && !isLive(layer))) return entriesInto(parent, [...classEntries(tally?.kinds, tally?.all), ...beyond]);
+  if (layer.name === "regime") return entriesInto(parent, [...regimeEntries(tally?.kinds, tally?.all), ...beyond]);
   if (layer.name === "commonest") return entriesInto(parent, classEntries(kindCounts(commonestKinds())));
   if (isWords(layer)) return entriesInto(parent, wordEntries(layer));
   const bar = Object.assign(document.createElement("div"), { className: "bar" });
@@ -17,9 +23,11 @@ function drawLegend(parent, layer, counts = undefined) {
   const first = newtons && leadsInSi ? newtons : 1; // of the unit whose ticks are round
   for (const value of ticksBetween(layer.low * first, layer.top * first, 5).values) scale.append(tickOf(layer, value / first, newtons));
   const about = Object.assign(document.createElement("div"), { className: "about", textContent: aboutLayer(layer) });
-  parent.append(about, bar, scale);
-  const apart = counts ? classEntries(counts).filter(({ number: kind }) => apartOf(layer).includes(kind)) : classEntries(apartCounts(layer), toldCells);
-  entriesInto(parent, [...apart, ...withoutValue(layer)]);
+  const others = tally ? [...classEntries(tally.apart, tally.all), ...noValue(layer, tally.forceless / tally.all), ...beyond]
+    : [...classEntries(apartCounts(layer), toldCells), ...withoutValue(layer)];
+  const hasValues = others.reduce((sum, one) => sum + one.share, 0) < 1 - 1e-9; // otherwise the scale's ends are of nothing
+  parent.append(about, ...(hasValues ? [bar, scale] : []));
+  entriesInto(parent, others);
 }
 
 function tickOf(layer, value, newtons) {
@@ -60,13 +68,15 @@ function marksInto(parent, marks) {
   parent.append(list);
 }
 
+const NEARLY_BLACK = ["#000000", "#1A1A1A"];
+
 // Line styles of curves and their descriptions: {words, colour, dash}.
 function linesInto(parent, lines) {
   const list = Object.assign(document.createElement("ul"), { className: "entries" });
   for (const { words, colour, dash } of lines) {
     const entry = document.createElement("li");
     const line = Object.assign(document.createElement("i"), { className: "line" });
-    line.style.borderTopColor = colour;
+    line.style.borderTopColor = NEARLY_BLACK.includes(colour) ? "currentColor" : colour; // visible in both themes
     line.style.borderTopStyle = dash.length === 0 ? "solid" : dash[0] > 2 ? "dashed" : "dotted";
     entry.append(line, document.createTextNode(words));
     list.append(entry);

@@ -15,6 +15,24 @@ function coarseToFine(size) {
   return order;
 }
 
+// Counts of live cells for a legend: of each class, of those that have no force, and of those that only the program solves.
+class Tally {
+  kinds = new Array(content.classes.length).fill(0);
+  apart = new Array(content.classes.length).fill(0); // those that keep the colour of their class among forces
+  forceless = 0; // others without a force
+  beyond = 0;
+  add(regime, p, q, force) {
+    if (regime === NOT_COMPUTED) return void ++this.beyond;
+    const kind = classOf(regime, p, q);
+    ++this.kinds[kind];
+    if (APART.includes(kind) && !(force > 0)) ++this.apart[kind];
+    else if (Number.isNaN(force)) ++this.forceless;
+  }
+  get all() {
+    return this.kinds.reduce((sum, one) => sum + one, this.beyond) || 1;
+  }
+}
+
 class LivePlane {
   // {workers, cell, sides, size, valuesAt(i, j) -> [of sides[0], of sides[1]] or null where there is nothing to compute,
   //  colour(...LISTED_NUMBERS) -> abgr, changed(plane)}
@@ -29,7 +47,7 @@ class LivePlane {
     for (const [place] of this.todo) this.has[place] = 1;
     this.count = this.todo.length;
     this.done = 0;
-    this.kinds = new Array(content.classes.length).fill(0); // number of cells of each class
+    this.tally = new Tally();
     this.begun = performance.now();
     this.todo.reverse(); // the next one is last
     this.workers.begin(this);
@@ -53,7 +71,7 @@ class LivePlane {
   give(places, results) {
     places.forEach(([place, stride], n) => {
       const cell = results.subarray(LISTED_NUMBERS.length * n, LISTED_NUMBERS.length * (n + 1));
-      ++this.kinds[classOf(...cell.subarray(0, 3))];
+      this.tally.add(...cell);
       this.#paint(place, stride, this.colour(...cell));
     });
     this.done += places.length;
@@ -84,12 +102,12 @@ class LivePlane {
 
 const LIVE_SIZE = 128;
 
-// The value at a place of an axis, also beyond its ends; negative only if the axis has negative values.
-function valueInside(axis, place) {
-  const value = axis.value(place);
-  const least = axis.name.includes("frequency") || axis.log ? 1e-6 * axis.values.at(-1) : 0;
-  return axis.values[0] >= 0 ? Math.max(value, least) : value;
+// The least value that an axis can have beyond its ends: negative only if it has negative values.
+function leastOf(axis) {
+  if (axis.name.includes("frequency") || axis.log) return 1e-6 * axis.values.at(-1);
+  return axis.values[0] >= 0 ? 0 : -Infinity;
 }
+const valueInside = (axis, place) => Math.max(axis.value(place), leastOf(axis));
 
 // The window of the map, recomputed for this rig.
 function liveMap(workers, cell, view, layer, changed) {
@@ -103,16 +121,21 @@ function liveMap(workers, cell, view, layer, changed) {
   return plane;
 }
 
-// A live map provides z and peak force.
+// A live map provides z, regime and peak force; instead of other layers it shows z.
+const isLive = (layer) => ["z", "regime", "peak_force_ratio"].includes(layer.name);
+
 function liveColour(layer) {
-  if (layer.name === "regime") return (regime, p, q) => abgr(REGIME_COLOURS[classOf(regime, p, q)]);
-  if (layer.name !== "peak_force_ratio") return (regime, p, q) => CLASS_COLOURS[classOf(regime, p, q)];
+  const none = abgr(NO_VALUE_COLOUR);
+  const told = (colour) => (regime, p, q) => (regime === NOT_COMPUTED ? none : colour(classOf(regime, p, q)));
+  if (layer.name === "regime") return told((kind) => abgr(REGIME_COLOURS[kind]));
+  if (layer.name !== "peak_force_ratio") return told((kind) => CLASS_COLOURS[kind]);
   const colours = Uint32Array.from(scaleOf(layer), abgr);
   const last = colours.length - 1;
   return (regime, p, q, force) => {
+    if (regime === NOT_COMPUTED) return none;
     const kind = classOf(regime, p, q);
     if (APART.includes(kind) && !(force > 0)) return CLASS_COLOURS[kind];
-    if (Number.isNaN(force)) return abgr(NO_VALUE_COLOUR);
+    if (Number.isNaN(force)) return none;
     return colours[Math.min(last, Math.max(0, Math.round(((force - layer.low) / (layer.top - layer.low)) * last)))];
   };
 }

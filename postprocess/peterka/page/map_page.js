@@ -31,11 +31,14 @@ class MapPage extends Page {
     this.rig = new Rig(element("sliders"), (kind) => this.#rigChanged(kind));
     element("as-file").addEventListener("click", () => this.#asFile());
     element("live").addEventListener("change", (event) => this.#setLive(event.target.checked));
+    addEventListener("resize", () => (element("legend").style.minHeight = ""));
   }
   // While a live map is computed its classes appear one by one: the legend only grows, so that what lies below it stays where it is.
   drawLegend() {
     const legend = element("legend");
-    legend.style.minHeight = this.liveWanted ? `${legend.offsetHeight}px` : "";
+    const grows = this.liveWanted && this.legendOf === this.layer;
+    legend.style.minHeight = grows ? `${legend.offsetHeight}px` : "";
+    this.legendOf = this.layer;
     super.drawLegend();
     linesInto(legend, this.view.lines);
   }
@@ -86,7 +89,8 @@ class MapPage extends Page {
     out.textContent = parts.filter(Boolean).join("   ");
   }
   get invitation() {
-    return "Point at a cell for its values; click it and the engine solves it.";
+    const solves = content.cell !== null && content.engine !== null && whyNot(content.cell) === null;
+    return `Point at a cell for its values${solves ? "; click it and the engine solves it" : ""}.`;
   }
 
   moved() {
@@ -123,6 +127,7 @@ class MapPage extends Page {
     element("live-state").textContent = "";
     this.view.draw();
     this.drawLegend();
+    this.readOut(this.view.hover);
     this.writeAddress();
   }
   #recompute(delay) {
@@ -154,16 +159,21 @@ class MapPage extends Page {
   placeOfAddress() {
     return this.place ? { at: this.place } : {};
   }
-  get hasPicked() {
-    return this.place !== null;
+  hasPlace(at) {
+    return [file.columns, file.rows].every((axis, n) => at[n] >= leastOf(axis));
   }
   goTo({ at }) {
+    if (at !== null && !this.hasPlace(at)) return false;
     if (at) this.pickPlace(...at, this.#cellExactlyAt(...at));
     return at !== null;
   }
   followed({ live }) {
-    if (this.rig && (live || this.rig.differs)) this.#setLive(true);
+    if (this.rig) this.#setLive(live ?? this.rig.differs);
     this.#edge();
+  }
+  liveOfAddress() {
+    const shown = element("live").checked;
+    return this.rig && shown !== this.rig.differs ? shown : null;
   }
   // Selects the periodic cell nearest to the centre.
   pickSomething() {

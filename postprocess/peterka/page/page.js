@@ -53,17 +53,19 @@ class Page {
   }
   async showLayer(name) {
     const layer = this.layers.find((one) => one.name === name) ?? this.layers[0];
-    this.layer = layer;
+    this.chosen = layer;
     element("layer").value = layer.name;
     if (layer.blob !== undefined) await file.loadLayer(layer);
-    if (this.layer !== layer) return; // another one was chosen meanwhile
+    if (this.chosen !== layer) return; // another one was chosen meanwhile
+    this.layer = layer;
     this.paint(layer);
     this.drawLegend();
     this.view.draw();
+    this.readOut(this.view.hover);
     this.moved();
   }
   drawLegend() {
-    drawLegend(element("legend"), this.layer, this.view.patch?.kinds);
+    drawLegend(element("legend"), this.layer, this.view.patch?.tally);
   }
   // The file's data for a target: the force, and a value of the layer shown, in words.
   forceWords(force) {
@@ -72,8 +74,10 @@ class Page {
   layerWords(row, column, sample = 0) {
     const { layer } = this;
     const value = file.number(layer.name, row, column, sample);
+    if (file.label(row, column)[0] === NOT_COMPUTED) return "";
+    if (layer.never !== undefined && value < 0) return `${layer.title}: ${layer.never}`;
     if (layer.over_weight) return `${layer.title} ${this.forceWords(value) || digits(value, 4)}`;
-    const words = layer.words?.[value]?.replaceAll("_", " ") ?? digits(value, 5);
+    const words = layer.words?.[value]?.replaceAll("_", " ") ?? (layer.plane.raw ? value.toLocaleString("en") : digits(value, 5));
     return `${layer.title} ${words}${layer.unit && layer.unit !== "1" ? ` ${layer.unit}` : ""}`;
   }
 
@@ -84,23 +88,34 @@ class Page {
     if (!this.listens) return;
     const { layer, layers, view, rig } = this;
     writeAddress({ layer: layer === layers[0] ? undefined : layer.name, axes: view.axes, view: view.view, at: this.placeOfAddress(),
-      rig: rig?.values() ?? [], live: Boolean(rig && element("live").checked && !rig.differs) });
+      rig: rig?.values() ?? [], live: this.liveOfAddress() });
   }
+  // What an address doesn't name is as in a page that was just opened.
   async #followAddress() {
     const address = readAddress();
+    this.listens = false;
     element("address-state").textContent = this.#strangeWords(address);
+    this.rig?.reset();
     for (const [name, value] of this.rig ? address.rig : []) this.rig.take(name, Number(value));
-    if (address.layer !== null) await this.showLayer(address.layer);
-    if (address.x || address.y) this.view.show(address.x ?? this.view.view.x, address.y ?? this.view.view.y);
-    if (!this.goTo(address) && !this.hasPicked) this.pickSomething();
+    await this.showLayer(address.layer ?? this.layers[0].name);
+    this.view.show(address.x ?? this.view.wholeOf("x"), address.y ?? this.view.wholeOf("y"));
+    if (!this.goTo(address)) this.pickSomething();
     this.followed(address);
     this.listens = true;
   }
   followed() {}
+  liveOfAddress() {
+    return null;
+  }
+  // Whether this page has the place that an address names.
+  hasPlace() {
+    return true;
+  }
   // The parts of an address that this page ignores, as it was made by another version or for another file.
-  #strangeWords({ rig, version }) {
+  #strangeWords({ rig, version, at }) {
     const strange = rig.filter(([name, value]) => !this.rig?.takes(name, Number(value)));
     const parts = strange.map(([name, value]) => `${name} = ${value} isn't of this page's rig and is left out`);
+    if (at !== null && !this.hasPlace(at)) parts.push(`at = ${at.join(",")} is no place of this page and is left out`);
     if (version !== null && version !== VERSION) parts.unshift(`the address was made by version ${version}, this page by ${VERSION}`);
     return parts.length > 0 ? `${parts.join("; ")}.` : "";
   }
@@ -125,7 +140,7 @@ class Page {
   }
   #nextLayer() {
     const names = this.layers.map((layer) => layer.name);
-    this.showLayer(names[(names.indexOf(this.layer.name) + 1) % names.length]);
+    this.showLayer(names[(names.indexOf(this.chosen.name) + 1) % names.length]);
   }
   #turnTheme() {
     const root = document.documentElement;
@@ -156,7 +171,7 @@ function bothUnits({ name, symbol, factor, unit }, value, count = 5) {
 }
 
 function factsWords(size) {
-  const every = content.every > 1 ? `each ${content.every}th row and column` : "";
+  const every = content.every > 1 ? `1 of ${content.every} rows and columns` : "";
   const force = content.layers.find((layer) => layer.name === "peak_force_ratio")?.plane.digits;
   const short = force ? `force to ${force} digits` : "";
   return [content.name, size, content.incomplete, every, short, content.source, content.commit].filter(Boolean).join(" · ");

@@ -48,7 +48,7 @@ class SweepPage extends Page {
     entriesInto(parent, this.#entries());
     const ways = new Map(content.tracks.map(({ slot, direction, words }) => (slot === null ? [direction, words] : ["known", "an attractor that is known"])));
     marksInto(parent, [...ways]);
-    if (this.layer.samples === 1 && this.#jumpsHere()) linesInto(parent, [{ words: "the force jumps", colour: OUTLINE, dash: JUMP_DASH }]);
+    if (this.layer.samples === 1 && this.layer.name !== "basin_share" && this.#jumpsHere()) linesInto(parent, [{ words: "the force jumps", colour: OUTLINE, dash: JUMP_DASH }]);
   }
 
   // Whether the force jumps on a branch of the gap shown.
@@ -110,16 +110,22 @@ class SweepPage extends Page {
     out.textContent = parts.filter(Boolean).join("   ");
   }
 
-  get hasPicked() {
-    return this.picked !== null;
-  }
+  // The gap shown is told where it isn't that of the point.
   placeOfAddress() {
-    return this.picked ? { at: [this.picked.track, this.picked.column] } : {};
+    if (!this.picked) return {};
+    const { track, column } = this.picked;
+    return { at: [track, column], ...(content.tracks[track].gap === this.view.gap ? {} : { gap: [this.view.gap] }) };
+  }
+  hasPlace(at) {
+    return at.every(Number.isInteger) && file.holds(...at) && file.label(...at)[0] !== NOT_COMPUTED;
   }
   goTo({ at }) {
-    if (at === null || !file.holds(...at) || file.label(...at)[0] === NOT_COMPUTED) return false;
+    if (at === null || !this.hasPlace(at)) return false;
     this.pick({ track: at[0], column: at[1], sample: 0 });
     return true;
+  }
+  followed({ gap }) {
+    if (content.gaps[gap] !== undefined && gap !== this.view.gap) this.showGap(gap);
   }
   // Selects the periodic point of the first branch with the largest force.
   pickSomething() {

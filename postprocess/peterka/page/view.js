@@ -26,8 +26,7 @@ class PlaneView {
     new ResizeObserver(() => this.draw()).observe(below);
   }
   reset() {
-    const whole = (axis) => [axis.edges[0], axis.edges.at(-1)];
-    this.view = { x: whole(this.axes.x), y: whole(this.axes.y) };
+    this.view = { x: this.wholeOf("x"), y: this.wholeOf("y") };
   }
   draw() {
     this.waits ??= requestAnimationFrame(() => {
@@ -203,6 +202,9 @@ class PlaneView {
     else if (event.key === "0") this.whole();
     else return;
     event.preventDefault();
+  }
+  wholeOf(side) {
+    return [this.axes[side].edges[0], this.axes[side].edges.at(-1)];
   }
   whole() {
     this.reset();

@@ -27,6 +27,8 @@ function timeWords(seconds) {
   return number(scale * seconds, unit);
 }
 
+const BEYOND = "Its cubic spring is too strong for the closed form, and the integrator that carries it is not in the page.";
+
 function meaning({ regime, impacts, period }) {
   if (regime === PERIODIC) {
     const blows = impacts === 1 ? "one blow" : `${impacts} blows`;
@@ -38,10 +40,12 @@ function meaning({ regime, impacts, period }) {
     [SUSTAINED_CONTACT]: "the hammer never leaves the stop",
     [UNRESOLVED]: "none of the regimes was verified",
     [FAILED]: "the cell left physics or the range of numbers",
+    [NOT_COMPUTED]: "",
   }[regime];
 }
 
 const ROUNDING = 6; // a status number
+const EXACT = 0; // an engine
 // By status number; a verified result, too, may leave something open.
 const WHY = {
   1: "the budget ran out before anything was verified",
@@ -54,10 +58,11 @@ const WHY = {
   8: "the budget ran out before chaos could be told from a long transient",
 };
 
-// What the file's certificate of a cell says, as the name and the value of a row.
-function proofWords({ reason, fromStart, lower, upper, unit }) {
+// What the file's certificate of a cell says, as the name and the value of a row. The proof is of the whole equation.
+function proofWords({ reason, fromStart, lower, upper, unit }, { engine }) {
   if (reason) return ["not proved", reason];
-  const what = upper > 0 ? between(lower, upper, unit) : "the motion";
+  const cubic = content.cell.cubic_stiffness_n_per_m3 !== 0 && engine === EXACT ? " with the cubic spring, which the engine left out" : "";
+  const what = upper > 0 ? between(lower, upper, unit) + cubic : "the motion";
   return ["proved", fromStart ? `${what}, and that the start leads there` : what];
 }
 
@@ -96,6 +101,13 @@ function multiplierWords(multipliers) {
   const [re, im, other] = multipliers;
   const size = (value) => (Math.abs(value) < 1e-9 ? "0" : digits(value, 3)); // rounding, where contraction is complete
   return im === 0 ? `${size(re)} and ${size(other)}` : `${size(re)} ± ${size(Math.abs(im))} i`;
+}
+
+// Where a start ends, beside where the cell's own does.
+function endWords(answer, home) {
+  if ([UNRESOLVED, FAILED].includes(answer.regime)) return "no motion was verified";
+  if (sameMotion(answer, home)) return answer.regime === CHAOTIC ? "ends in chaos as well" : "ends in the same motion";
+  return "ends in another motion";
 }
 
 // {same, words}: whether a live result equals that of the file's cell.
