@@ -1,6 +1,7 @@
 // The slots of a cell after adding attractors known independently of its starts (attractors/known_motions.hpp):
 // first those that starts found, with a share, then those that no start found, with a share of 0. The largest
-// shares and the known attractors are kept.
+// shares and the known attractors are kept; where starts found more than there is room for, no known one is
+// added, as it could be one of these.
 //
 // A run may be killed between two tiles, so what starts found must be recoverable from the file.
 #pragma once

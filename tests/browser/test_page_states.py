@@ -147,13 +147,15 @@ def test_the_legend_of_words_tells_all_cells(browser, tmp_path):
         file = pages.compute(tmp_path, JOBS / "peterka_170mm.toml", "axes.frequency_ratio.points=512", "axes.gap_ratio.points=512",
                              "audit.cells=0", code=5, wall="0.1")
         with h5py.File(file) as data:
-            done = np.count_nonzero(data["regime"][()] != -128)
+            computed = data["regime"][()] != -128
+        done, empty = np.count_nonzero(computed), np.argwhere(~computed)[-1]
     browser.open(pages.written(file))
     for layer in ("status", "engine"):
         choose(browser, layer)
         browser.until(lambda: {"status": "verified", "engine": "exact"}[layer] in browser.text("legend"), "it isn't shown")
         assert "not computed yet" in browser.text("legend") and sum(shares(browser)) == pytest.approx(100, abs=0.3)
-    across, down = browser.place(500, 500, 512, 512)
+    row, column = empty.tolist()
+    across, down = browser.place(column, row, 512, 512)
     canvas = browser.find("map-top")
     ActionChains(browser.driver).move_to_element_with_offset(canvas, round(across - canvas.size["width"] / 2),
                                                              round(down - canvas.size["height"] / 2)).perform()
@@ -168,9 +170,8 @@ def test_an_address_entered_in_the_open_page_is_as_one_that_is_opened(browser, m
     browser.until(lambda: browser.ask("document.getElementById('layer').value") == "z" and "2.0000" in browser.text("place"), "it isn't followed")
     browser.find("layer").send_keys(Keys.ESCAPE)  # anything that comes after
     assert not browser.find("live").is_selected() and browser.text("live-state") == ""
-    browser.find("closer").click()
-    browser.find("whole").click()
-    assert browser.ask("location.hash") == "#at=2,0.5"
+    browser.slide("slider-gap_ratio", 40)
+    assert browser.ask("location.hash") == "#at=2,0.5"  # the whole window isn't named
 
 
 def test_a_place_that_no_map_has_is_left_out_and_told(browser, map_page):
@@ -212,12 +213,22 @@ def sweep_page(tmp_path_factory):
 def test_the_gap_shown_is_kept_by_the_address(browser, sweep_page):
     browser.open(sweep_page, "at=0,30")
     choose_gap(browser, 2)
-    browser.find("closer").click()
     address = browser.ask("location.hash.slice(1)")
     assert "gap=2" in address
     browser.open(sweep_page, address)
     assert browser.ask("document.getElementById('gap').value") == "2"
     assert browser.ask("location.hash.slice(1)") == address
+
+
+def test_a_point_of_one_layer_is_not_read_out_of_another(browser, sweep_page):
+    """Its sample was read as one of another point."""
+    browser.open(sweep_page, "layer=stroboscopic_displacement&at=0,44")
+    browser.driver.execute_script("document.getElementById('map-top').focus()")
+    for key in (Keys.ARROW_RIGHT, Keys.ARROW_UP, Keys.ARROW_UP):
+        ActionChains(browser.driver).send_keys(key).perform()
+    assert "Ω/ω" in browser.text("readout")
+    choose(browser, "cycles")
+    browser.until(lambda: browser.text("readout").startswith("Point at"), "the point of another layer is still read out")
 
 
 def test_keys_walk_along_branches_of_the_gap_shown(browser, sweep_page):

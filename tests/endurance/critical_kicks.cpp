@@ -181,6 +181,12 @@ bool is_on_chaos(const regime::CellResult& ended) {
     return ended.regime == chaotic || (ended.regime == unresolved && chaotic_cycles(ended) > 0);
 }
 
+// As the program has it: an engine that gave up, or a budget that ran out on the way.
+bool is_unknown(const regime::CellResult& ended) {
+    using enum regime::Regime;
+    return ended.regime == failed || (ended.regime == unresolved && chaotic_cycles(ended) == 0);
+}
+
 // Kicks up to `most` [A0 omega], at random.
 Leave attack(const scene::Scene& scene, const CellAttractor& attractor, double most, std::int64_t kicks,
              Random& random) {
@@ -195,7 +201,7 @@ Leave attack(const scene::Scene& scene, const CellAttractor& attractor, double m
         return tried.emplace_back(KickAt{phase, random.between(-most, most)});
     };
     follow(scene, attractor, kicks, kick_of, [&](std::int64_t number, const regime::CellResult& ended) {
-        if (ended.regime == regime::Regime::failed) return;
+        if (is_unknown(ended)) return;
         if (regime::same_attractor(settled, ended)) {
             if (chaotic_cycles(ended) > 0) lives.push_back(chaotic_cycles(ended));
             return;
@@ -208,7 +214,7 @@ Leave attack(const scene::Scene& scene, const CellAttractor& attractor, double m
     return found;
 }
 
-// Lines "phase change end cycles": change [A0 omega]; end 0 back, 1 elsewhere, 2 on chaos.
+// Lines "phase change end cycles": change [A0 omega]; end 0 back, 1 elsewhere, 2 on chaos, 3 unknown.
 int write_plane(std::uint64_t seed, std::uint64_t rig, std::size_t slot, int points, const char* path) {
     Random of_rig(seed * 1'000'003 + rig);
     const scene::Scene scene(random_job(of_rig, true));
@@ -226,7 +232,7 @@ int write_plane(std::uint64_t seed, std::uint64_t rig, std::size_t slot, int poi
            [&](std::int64_t number, const regime::CellResult& ended) {
                const bool is_back = regime::same_attractor(settled, ended);
                fmt::print(file, "{} {} {} {}\n", kick_of(number).phase, kick_of(number).change,
-                          is_back ? 0 : (is_on_chaos(ended) ? 2 : 1), ended.cycles);
+                          is_back ? 0 : (is_unknown(ended) ? 3 : (is_on_chaos(ended) ? 2 : 1)), ended.cycles);
            });
     return std::fclose(file) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

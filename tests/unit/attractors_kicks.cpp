@@ -142,8 +142,9 @@ TEST(Kicks, UnfinishedSearchesEndNowhere) {
         ASSERT_LT(rounds, 1000);
         broker.serve(std::vector<SearchOutcome>(broker.ordered().size(), {.result = unfinished}));
     }
-    EXPECT_TRUE(std::isnan(task.result()[1].size));
-    EXPECT_LT(task.result()[1].tried, 4.0 / 64);  // the smallest size that was tried
+    const cell::Kick kick = task.result()[1];
+    EXPECT_TRUE(std::isnan(kick.size));
+    EXPECT_LT(kick.tried, 4.0 / 64);  // the smallest size that was tried
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ class BranchesView extends PlaneView {
     this.layer = layer;
     this.axes.y = new Heights(layer);
     this.view = { x: this.view.x, y: [...this.axes.y.edges] };
-    if (this.picked) this.mark(this.target);
+    this.hover = null; // a sample of the other layer
+    if (this.target) this.mark({ ...this.target, sample: 0 });
   }
   setGap(gap) {
     this.gap = gap;

@@ -46,6 +46,7 @@ class CellPanel {
     const refusal = whyNot(cell);
     if (refusal) return this.#cannot(refusal, inFile);
     this.element("cell").classList.remove("cannot");
+    this.element("spent").textContent = "";
     this.element("cell").dataset.state = "solving";
     this.workers.lookAt(cell, (data) => (data.answer ? this.#take(data) : this.#wait(data.spent)), start !== null);
   }
@@ -79,7 +80,10 @@ class CellPanel {
     this.element("cell").dataset.milliseconds = data.milliseconds.toFixed(1);
     this.element("spent").textContent = "";
     if (answer.regime === NOT_COMPUTED) {
-      if (this.data) return this.#say(`${this.start.words}: ${BEYOND}`, null); // of a start; the motion shown stays
+      if (this.data) { // of a start: the motion shown stays
+        this.#setView(this.shownView);
+        return this.#say(`${this.start.words}: ${BEYOND}`, null);
+      }
       return this.#cannot(BEYOND, this.stored);
     }
     this.data = data;
@@ -139,7 +143,7 @@ class CellPanel {
   }
   async #tellProof(stored) {
     const proof = await file.proof(stored.row, stored.column);
-    if (proof && this.stored === stored && this.data) this.element("numbers").append(...numbered(...proofWords(proof, this.data.answer)));
+    if (proof && this.stored === stored && this.data) this.element("numbers").append(...numbered(...proofWords(proof, this.data.answer, this.cell)));
   }
   #keepStart(answer) {
     const colour = content.classes[classOf(answer.regime, answer.impacts, answer.period)].colour;
@@ -149,6 +153,7 @@ class CellPanel {
     const { data, cell } = this;
     const { answer, steady, way } = data;
     const steadyView = this.view === "steady";
+    this.shownView = this.view;
     const motion = steadyView ? steady : way;
     if (!this.start) this.window = this.#windowOf(data);
     else if (!this.charts.basin) this.window = this.#widened(this.#windowOf(data));

@@ -109,6 +109,10 @@ class CurvesPage extends MapPage {
     return `Each side lies ${digits(100 * step, 2)} % of the window off the curve: ${apart.join(" and ")}. The engine goes on there from the orbit on the curve${cubic}.`;
   }
 
+  forget() {
+    this.edge = null;
+    super.forget();
+  }
   placeOfAddress() {
     return this.edge ? { curve: [this.edge.curve, this.edge.point] } : super.placeOfAddress();
   }

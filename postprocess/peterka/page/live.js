@@ -104,7 +104,7 @@ const LIVE_SIZE = 128;
 
 // The least value that an axis can have beyond its ends: negative only if it has negative values.
 function leastOf(axis) {
-  if (axis.name.includes("frequency") || axis.log) return 1e-6 * axis.values.at(-1);
+  if (axis.name.includes("frequency") || axis.log) return Math.min(axis.values[0], 1e-6 * axis.values.at(-1));
   return axis.values[0] >= 0 ? 0 : -Infinity;
 }
 const valueInside = (axis, place) => Math.max(axis.value(place), leastOf(axis));

@@ -156,6 +156,9 @@ class MapPage extends Page {
     this.#setLive(false);
   }
 
+  forget() {
+    this.place = this.view.picked = null;
+  }
   placeOfAddress() {
     return this.place ? { at: this.place } : {};
   }

@@ -1,6 +1,6 @@
 // Behaviour common to all pages: shows the layers of a file, starts the engine, handles the address and the keys. The page of
 // each kind of file adds: layers, makeView(), paint(layer), sizeWords(), readOut(target), pick(target), placeOfAddress(),
-// goTo(address), pickSomething().
+// goTo(address), pickSomething(), forget().
 
 const element = (id) => document.getElementById(id);
 
@@ -93,11 +93,16 @@ class Page {
   // What an address doesn't name is as in a page that was just opened.
   async #followAddress() {
     const address = readAddress();
+    const turn = (this.turn = (this.turn ?? 0) + 1);
     this.listens = false;
     element("address-state").textContent = this.#strangeWords(address);
     this.rig?.reset();
     for (const [name, value] of this.rig ? address.rig : []) this.rig.take(name, Number(value));
     await this.showLayer(address.layer ?? this.layers[0].name);
+    if (turn !== this.turn) return; // another one was entered meanwhile
+    this.forget();
+    this.panel?.cancel();
+    element("cell").hidden = true;
     this.view.show(address.x ?? this.view.wholeOf("x"), address.y ?? this.view.wholeOf("y"));
     if (!this.goTo(address)) this.pickSomething();
     this.followed(address);

@@ -35,6 +35,7 @@ class SweepPage extends Page {
     this.drawLegend();
     if (this.picked) this.view.mark(this.picked);
     this.view.draw();
+    this.writeAddress();
   }
   sizeWords() {
     return `${content.branches.toLocaleString("en")} branches of ${file.columns.values.length.toLocaleString("en")} points`;
@@ -111,6 +112,9 @@ class SweepPage extends Page {
   }
 
   // The gap shown is told where it isn't that of the point.
+  forget() {
+    this.picked = this.view.target = this.view.picked = null;
+  }
   placeOfAddress() {
     if (!this.picked) return {};
     const { track, column } = this.picked;

@@ -115,6 +115,7 @@ class PlaneView {
   show(x, y) {
     const fit = ([from, to], axis) => {
       const [low, high] = [axis.edges[0], axis.edges.at(-1)];
+      if (from <= low && to >= high) return [low, high]; // not rounded: an address doesn't name it
       const width = Math.min(Math.max(to - from, axis.narrowest), high - low);
       const middle = (from + to) / 2;
       const start = Math.min(Math.max(middle - width / 2, low), high - width);

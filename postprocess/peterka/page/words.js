@@ -59,9 +59,9 @@ const WHY = {
 };
 
 // What the file's certificate of a cell says, as the name and the value of a row. The proof is of the whole equation.
-function proofWords({ reason, fromStart, lower, upper, unit }, { engine }) {
+function proofWords({ reason, fromStart, lower, upper, unit }, { engine }, cell) {
   if (reason) return ["not proved", reason];
-  const cubic = content.cell.cubic_stiffness_n_per_m3 !== 0 && engine === EXACT ? " with the cubic spring, which the engine left out" : "";
+  const cubic = cell.cubic_stiffness_n_per_m3 && engine === EXACT ? " with the cubic spring, which the engine left out" : "";
   const what = upper > 0 ? between(lower, upper, unit) + cubic : "the motion";
   return ["proved", fromStart ? `${what}, and that the start leads there` : what];
 }
