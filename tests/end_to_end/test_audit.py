@@ -9,6 +9,8 @@ import jobs
 import launch
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 AUDIT = "[audit]\ncells = 40\n"
 CUBIC = "cubic_stiffness_n_per_m3 = {}"
 

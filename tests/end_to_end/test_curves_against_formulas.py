@@ -7,6 +7,8 @@ import pytest
 import jobs
 import launch
 
+pytestmark = pytest.mark.thorough
+
 FOLD, DOUBLING = 0, 1
 CUSP = 3
 RESTITUTION, DAMPING_RATIO = 0.6, 0.02

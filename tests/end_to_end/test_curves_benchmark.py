@@ -7,6 +7,9 @@ import sys
 from pathlib import Path
 
 import launch
+import pytest
+
+pytestmark = pytest.mark.thorough
 
 FOLDER = Path(__file__).resolve().parents[1] / "benchmark"
 

@@ -13,6 +13,8 @@ import pytest
 import xarray
 from any_axes import axis
 
+pytestmark = pytest.mark.thorough
+
 ROOT = Path(__file__).resolve().parents[2]
 FOLD, DOUBLING = 0, 1
 ONE = "\n[curves]\nmax_period = 1\n"

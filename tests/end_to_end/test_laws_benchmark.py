@@ -8,6 +8,8 @@ import launch
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.thorough
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmark"))
 import laws  # noqa: E402
 from bench import Bench  # noqa: E402

@@ -16,6 +16,8 @@ import jobs
 import launch
 import map_contents
 
+pytestmark = pytest.mark.thorough
+
 TESTS = Path(__file__).parents[1]
 DATA = TESTS / "data"
 sys.path[:0] = [str(TESTS / "postprocess"), str(TESTS.parent / "postprocess")]

@@ -8,6 +8,8 @@ from peterka.maps import basin_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin
 
+pytestmark = pytest.mark.thorough
+
 CELLS = [
     [orbit(1, 1), orbit(1, 1), orbit(1, 1), orbit(1, 2)],
     [orbit(1, 1), orbit(1, 1), orbit(1, 1), orbit(1, 2)],

@@ -13,6 +13,8 @@ from peterka.maps import basin_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, Drawn, colour_named, write_map
 
+pytestmark = pytest.mark.thorough
+
 # Published maps have these colours; changing one makes old and new maps incomparable.
 TABLE = {
     "no impact": "#F2F2F2",

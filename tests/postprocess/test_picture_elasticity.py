@@ -13,6 +13,8 @@ from peterka.plotting import fills, style
 from sealing import seal_file
 from uncertain_samples import write_uncertain
 
+pytestmark = pytest.mark.thorough
+
 ROWS, COLUMNS = 24, 32
 STIFFNESS, GAP, RATIO = "contact_stiffness_n_per_m", "gap_m", "hammer_damping_ratio"
 

@@ -12,6 +12,8 @@ from picture_samples import (
     CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, UNRESOLVED, Drawn, colour_named, orbit, write_map,
 )
 
+pytestmark = pytest.mark.thorough
+
 
 def colour_of_force(force, top):
     return to_hex(matplotlib.colormaps[field_map.COLOURS](force / top)).upper()

@@ -7,6 +7,8 @@ from peterka.maps import life_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC as CHAOS, MISSING, NO_IMPACT as SWINGS, Drawn, orbit, write_map
 
+pytestmark = pytest.mark.thorough
+
 NO_IMPACT, PERIODIC, CHAOTIC, UNRESOLVED = 0, 1, 2, 4
 NAN = np.nan
 

@@ -7,6 +7,8 @@ from peterka.maps import peterka_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import Drawn, orbit, write_map
 
+pytestmark = pytest.mark.thorough
+
 RANGES = [(0.5, 4.5), (0.01, 50), (1e-3, 1e3), (2.1, 2.9), (1e-9, 1e12), (0.9, 1.1), (100, 1e15), (3e-7, 2e-5)]
 
 

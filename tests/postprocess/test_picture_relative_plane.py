@@ -12,6 +12,8 @@ from sealing import SealedFile
 from test_picture_real_file import RIG
 from trace_samples import write_trace
 
+pytestmark = pytest.mark.thorough
+
 STATUS = "proved budget conservative"
 
 

@@ -16,6 +16,8 @@ from picture_samples import write_map
 from sealing import SealedFile, unfinish
 from test_picture_real_file import MAP, RIG
 
+pytestmark = pytest.mark.thorough
+
 JOB = {
     "schema": 1, "kind": "map",
     "hammer": {"mass_kg": 0.298, "natural_frequency_hz": 4.5, "damping_ns_per_m": 0.06},
@@ -97,7 +99,6 @@ def test_a_file_that_is_none_is_refused(tmp_path):
     assert isinstance(caught.value, peterka.PeterkaError)
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("job", [MAP, BASIN, SWEEP, TRACE], ids=["map", "basin", "sweep", "trace"])
 def test_every_picture_goes_into_the_user_s_axes(job):
     data = peterka.run(job, ranks=1)
@@ -135,7 +136,6 @@ def test_a_picture_leaves_matplotlib_as_it_was(tmp_path):
     assert figure._repr_png_().startswith(b"\x89PNG")
 
 
-@pytest.mark.thorough
 def test_it_is_installed_by_pip(tmp_path):
     """From a copy: a build leaves its folders beside the sources."""
     subprocess.run(["cp", "-r", POSTPROCESS, tmp_path / "source"], check=True)
@@ -173,7 +173,6 @@ def test_how_far_a_run_is_is_told(ranks, tmp_path, capfd):
     assert len(caught.value.faults) == 1
 
 
-@pytest.mark.thorough
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_an_interrupted_run_goes_on_from_its_file(ranks, tmp_path):
     large = {"axes": {"frequency_ratio": {"points": 512}, "gap_ratio": {"points": 512}}}
