@@ -13,6 +13,8 @@ import launch
 import map_contents
 from conftest import compute
 
+pytestmark = pytest.mark.thorough
+
 LABELS = ("regime", "impacts", "period")
 RANDOM = random.Random(4)
 

@@ -12,6 +12,8 @@ from conftest import POSTPROCESS
 from picture_samples import write_basin, write_map
 from sealing import SealedFile, renew_record
 
+pytestmark = pytest.mark.thorough
+
 
 def replaced(path, name, values):
     with SealedFile(path, "r+") as file:
