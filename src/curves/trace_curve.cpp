@@ -104,6 +104,16 @@ class HalfCurve {
         return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
     }
 
+    // A release at which the stop presses again at once solves the equations of a brief flight, too: then from
+    // the true motion there.
+    std::optional<OrbitPoint> solve_for_motion(const OrbitPoint& guess, const Condition& condition) const {
+        const auto found = solve_with(guess, condition);
+        if (!found || find_fault(rig_, *found).kind != OrbitFault::Kind::pattern) return found;
+        const auto motion = with_true_events(rig_, *found);
+        const auto again = motion ? solve_with(*motion, condition) : motion;
+        return again ? again : found;
+    }
+
     enum class Step : std::uint8_t { goes_on, ends, unclear };
 
     // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
@@ -222,7 +232,7 @@ class HalfCurve {
             const double before = value(here.point);
             const double after = value(there.point);
             if ((before > 0) == (after > 0)) continue;
-            const auto found = solve_with(
+            const auto found = solve_for_motion(
                 same_events ? between(here.point, there.point, before / (before - after)) : there.point,
                 Condition::at_multiplier(test.sign, test.side));
             if (found)
