@@ -107,7 +107,7 @@ class HalfCurve {
     // A release at which the stop presses again at once solves the equations of a brief flight, too: then from
     // the true motion there.
     std::optional<OrbitPoint> solve_for_motion(const OrbitPoint& guess, const Condition& condition) const {
-        const auto found = solve_with(guess, condition);
+        auto found = solve_with(guess, condition);
         if (!found || find_fault(rig_, *found).kind != OrbitFault::Kind::pattern) return found;
         const auto motion = with_true_events(rig_, *found);
         const auto again = motion ? solve_with(*motion, condition) : motion;
