@@ -187,7 +187,7 @@ def test_a_place_that_no_map_has_is_left_out_and_told(browser, map_page):
 def test_a_live_map_that_is_off_stays_off(browser, map_page):
     browser.open(map_page, "at=2,0.5")
     browser.slide("slider-damping_ratio", 100)
-    browser.until(lambda: browser.find("live").is_selected(), "no live map")
+    finished(browser, "")  # the legend of a longer one may still grow, and move what is clicked
     browser.find("live").click()
     address = browser.ask("location.hash.slice(1)")
     assert "live=0" in address
