@@ -145,7 +145,7 @@ class Page {
   }
   #nextLayer() {
     const names = this.layers.map((layer) => layer.name);
-    this.showLayer(names[(names.indexOf(this.chosen.name) + 1) % names.length]);
+    this.showLayer(names[(names.indexOf((this.chosen ?? this.layer).name) + 1) % names.length]);
   }
   #turnTheme() {
     const root = document.documentElement;
