@@ -175,7 +175,7 @@ def test_a_cell_beside_the_curves_is_one_of_a_map(browser, curves_page):
 def test_curves_of_another_rig_are_not_shown(browser, curves_page):
     browser.open(curves_page, "at=4,4.5")
     browser.solved()
-    assert "fold" in browser.text("legend")
+    assert "fold" in browser.text("legend") and "fold with grazing" in browser.text("legend")
     browser.slide("slider-contact_second", 100)
     browser.until(lambda: "fold" not in browser.text("legend"), "the curves are still shown over a live map")
     browser.until(lambda: browser.data("live-state", "finished") == "true", "no live map")  # whose legend may still grow a line

@@ -34,6 +34,7 @@ def test_the_proved_bounds_are_told_rounded_outward(browser, tmp_path, job, unit
     lower, upper = (float(cell[side.format(end)]) * unit for end in ("lower", "upper"))
     assert lower - 2 * 10.0 ** -len(low.partition(".")[2]) < float(low) <= lower
     assert upper <= float(high) < upper + 2 * 10.0 ** -len(high.partition(".")[2])
+    assert ("with the cubic spring, which the engine left out" in words) == (unit != 1000 and cell["engine"] == 0)  # the rigid job has none
 
 
 def test_a_motion_without_impact_and_a_cell_without_proof_have_words(browser, tmp_path):

@@ -93,32 +93,9 @@ points = 12
 max_period = 1
 """
 
-MEETINGS = """schema = 1
-kind = "curves"
-
-[hammer]
-mass_kg = 0.298
-natural_frequency_hz = 4.5
-damping_ratio = 0.02
-
-[cart]
-amplitude_m = 0.89e-3
-
-[contact]
-law = "kelvin_voigt"
-stiffness_n_per_m = 2e5
-damping_ns_per_m = 100
-
-[axes.frequency_ratio]
-from = 1.0
-to = 4.0
-points = 80
-
-[axes.gap_ratio]
-from = 0.0
-to = 2.5
-points = 60
-"""
+MEETINGS = (jobs.RIG.format(kind="curves", title="meetings").replace("damping_ns_per_m = 0.06", "damping_ratio = 0.02").replace(
+    jobs.KELVIN_VOIGT, 'law = "kelvin_voigt"\nstiffness_n_per_m = 2e5\ndamping_ns_per_m = 100\n')
+    + jobs.axis("frequency_ratio", 1.0, 4.0, 80) + jobs.axis("gap_ratio", 0.0, 2.5, 60))
 
 
 def run(folder, text):

@@ -147,5 +147,38 @@ TEST(Kicks, UnfinishedSearchesEndNowhere) {
     EXPECT_LT(kick.tried, 4.0 / 64);  // the smallest size that was tried
 }
 
+// Kicks downwards end elsewhere from one size on; of those half as large and more the end is unknown.
+TEST(Kicks, AreTriedUpToOneWhoseEndIsUnknown) {
+    Kicked kicked = two_orbits();
+    kicked.entries.resize(2);
+    const CellResult& orbit = kicked.entries[1].result;
+    KickedOrbit undisturbed(kicked.oscillator, *kicked.entries[1].orbit);
+    const double at_phase_0 = undisturbed.after({1.0, 0}).state[1];
+    CellResult unfinished;
+    unfinished.regime = Regime::unresolved;
+    unfinished.cycles = 30;
+    const regime::AttractorTable known;
+    std::vector<scene::State<double>> starts;
+    const KickedCell cell{kicked.oscillator, 4, known, [&](const scene::State<double>& start) {
+                              starts.push_back(start);
+                              return SearchFactory{};
+                          }};
+    SearchBroker broker;
+    const auto task = smallest_kicks(broker, cell, kicked.entries);
+    task.start();
+    while (!task.done()) {
+        std::vector<SearchOutcome> ended;
+        for (const auto& start : std::exchange(starts, {})) {
+            const double down = at_phase_0 - start[1];
+            ended.push_back({.result = down > 0.5 ? elsewhere() : (down > 0.25 ? unfinished : orbit)});
+        }
+        broker.serve(std::move(ended));
+    }
+    const cell::Kick kick = task.result()[1];
+    ASSERT_GT(kick.size, 0);
+    EXPECT_LT(kick.tried, 0.8 * kick.size);
+    EXPECT_GT(kick.tried, 0.3 * kick.size);
+}
+
 }  // namespace
 }  // namespace peterka::attractors

@@ -42,9 +42,8 @@ class CellPanel {
   }
   #solve(cell, stored, start = null) {
     Object.assign(this, { cell, stored, start });
-    const { inFile } = this;
     const refusal = whyNot(cell);
-    if (refusal) return this.#cannot(refusal, inFile);
+    if (refusal) return this.#cannot(refusal, this.inFile);
     this.element("cell").classList.remove("cannot");
     this.element("spent").textContent = "";
     this.element("cell").dataset.state = "solving";

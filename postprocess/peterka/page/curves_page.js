@@ -116,9 +116,12 @@ class CurvesPage extends MapPage {
   placeOfAddress() {
     return this.edge ? { curve: [this.edge.curve, this.edge.point] } : super.placeOfAddress();
   }
+  hasCurve(curve) {
+    return curves.has(...curve);
+  }
   goTo(address) {
     const { curve } = address;
-    if (curve === null || !curves.has(...curve)) return super.goTo(address);
+    if (curve === null || !this.hasCurve(curve)) return super.goTo(address);
     this.pickEdge({ curve: curve[0], point: curve[1] });
     return true;
   }

@@ -112,15 +112,23 @@ class Page {
   liveOfAddress() {
     return null;
   }
-  // Whether this page has the place that an address names.
+  // Whether this page has what an address names.
   hasPlace() {
     return true;
   }
+  hasCurve() {
+    return false;
+  }
+  hasGap() {
+    return false;
+  }
   // The parts of an address that this page ignores, as it was made by another version or for another file.
-  #strangeWords({ rig, version, at }) {
+  #strangeWords({ rig, version, at, curve, gap }) {
     const strange = rig.filter(([name, value]) => !this.rig?.takes(name, Number(value)));
     const parts = strange.map(([name, value]) => `${name} = ${value} isn't of this page's rig and is left out`);
     if (at !== null && !this.hasPlace(at)) parts.push(`at = ${at.join(",")} is no place of this page and is left out`);
+    if (curve !== null && !this.hasCurve(curve)) parts.push(`curve = ${curve.join(",")} is no point of this page’s curves and is left out`);
+    if (gap !== null && !this.hasGap(gap)) parts.push(`gap = ${gap} is none of this page’s gaps and is left out`);
     if (version !== null && version !== VERSION) parts.unshift(`the address was made by version ${version}, this page by ${VERSION}`);
     return parts.length > 0 ? `${parts.join("; ")}.` : "";
   }

@@ -128,8 +128,11 @@ class SweepPage extends Page {
     this.pick({ track: at[0], column: at[1], sample: 0 });
     return true;
   }
+  hasGap(gap) {
+    return content.gaps[gap] !== undefined;
+  }
   followed({ gap }) {
-    if (content.gaps[gap] !== undefined && gap !== this.view.gap) this.showGap(gap);
+    if (this.hasGap(gap) && gap !== this.view.gap) this.showGap(gap);
   }
   // Selects the periodic point of the first branch with the largest force.
   pickSomething() {
