@@ -20,10 +20,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import PeterkaFileError
-from ..files.job_numbers import UnreadableJob, tables_of
+from ..files.job_axes import axes_of_job
+from ..files.job_numbers import UnreadableJob, numbers_of_cell, tables_of
 from ..files.regimes import PERIODIC
 from ..maps.map_file import PeterkaFile
-from ..second_proof.cells import CONFIRMED, CONTRADICTED, NOT_DECIDED, Claim, axes_of, numbers_of_cell, verdict_of
+from ..second_proof.cells import CONFIRMED, CONTRADICTED, NOT_DECIDED, Claim, verdict_of
 from .command_line import BAD_INPUT, DONE, OneLineParser, complain, exit_code, tell, tell_if_unfinished, working
 
 CONTRADICTION = 1
@@ -69,7 +70,8 @@ def claims_of(file: PeterkaFile, cells: int, max_period: int) -> Iterator[tuple[
     of attractors of cells, if those are certified, too."""
     if file.kind != "map":
         raise file.refusal(f"is a {file.kind}; this program proves cells of maps")
-    tables = tables_of(file.data.attribute("job"))
+    job = file.data.attribute("job")
+    tables = tables_of(job)
     bounds = BOUNDS.get(tables["contact"]["law"])
     if bounds is None:
         raise file.refusal("has another stop than a spring and dashpot or a rigid one; this program proves cells of those alone")
@@ -78,7 +80,7 @@ def claims_of(file: PeterkaFile, cells: int, max_period: int) -> Iterator[tuple[
     if not all(file.data.has(name) for name in (f"{of}certified", *claimed)):
         raise file.refusal('has no proofs with orbits; its job needs [certificate], and "orbit" among the fields of [output]')
     values = {name: file.data.values(name, slice(None)) for name in (f"{of}regime", f"{of}certified", *claimed)}
-    columns, rows = ((path, file.data.values(name, slice(None))) for path, name in axes_of(tables))
+    columns, rows = ((name, file.data.values(name, slice(None))) for name in axes_of_job(job))
     wanted = np.argwhere((values[f"{of}regime"] == PERIODIC) & (values[f"{of}certified"] > 0) & (values[f"{of}period"] <= max_period))
     for index in wanted[np.unique(np.linspace(0, len(wanted) - 1, min(cells, len(wanted))).astype(int))]:
         *slot, row, column = index.tolist()

@@ -10,6 +10,9 @@ import numpy as np
 
 from ..arrays import Mask, Reals
 
+OF_A_CELL = ("hammer", "cart", "contact", "operating_point")  # tables
+EITHER = (("operating_point.frequency_ratio", "operating_point.frequency_hz"), ("operating_point.gap_ratio", "operating_point.gap_m"),
+          ("hammer.natural_frequency_hz", "hammer.stiffness_n_per_m"), ("hammer.damping_ratio", "hammer.damping_ns_per_m"))
 PLACE = ("frequency_ratio", "gap_ratio", "frequency_hz", "gap_m")  # coordinates that belong to [operating_point]
 
 
@@ -58,6 +61,18 @@ def number_of(tables: Mapping[str, Any], path: str) -> float | None:
     return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
 
 
+def numbers_of_cell(tables: Mapping[str, Any], coordinates: Mapping[str, float]) -> dict[str, Any]:
+    """{"contact.damping_ns_per_m" or "operating_point.gap_ratio": value}: what a job's tables and the axes, {name in the file: value},
+    give of a cell. Of two keys for the same (EITHER) one is there."""
+    numbers = {f"{table}.{key}": value for table in OF_A_CELL for key, value in tables.get(table, {}).items()}
+    for name, value in coordinates.items():
+        path = _path(name)
+        for other in (key for keys in EITHER if path in keys for key in keys):
+            numbers.pop(other, None)
+        numbers[path] = value
+    return numbers
+
+
 def swing_of(tables: Mapping[str, Any], coordinates: Mapping[str, Reals]) -> Swing:
     """The Swing at these values of the axes, {name in the file: array}. Raises UnreadableJob if the job lacks a number."""
     along = {_path(name): np.asarray(values, dtype=float) for name, values in coordinates.items()}
@@ -72,13 +87,14 @@ def swing_of(tables: Mapping[str, Any], coordinates: Mapping[str, Reals]) -> Swi
         raise UnreadableJob(f"holds a job that doesn't tell {' or '.join(paths)}")
 
     mass = first("hammer.mass_kg")[1]
-    name, value = first("hammer.natural_frequency_hz", "hammer.stiffness_n_per_m")
+    frequencies, gaps, springs, dampings = EITHER
+    name, value = first(*springs)
     natural = value if name == "natural_frequency_hz" else np.sqrt(value / mass) / (2 * np.pi)
-    name, value = first("hammer.damping_ratio", "hammer.damping_ns_per_m")
+    name, value = first(*dampings)
     damping = value if name == "damping_ratio" else value / (4 * np.pi * mass * natural)
-    name, value = first("operating_point.frequency_ratio", "operating_point.frequency_hz")
+    name, value = first(*frequencies)
     frequency = value if name == "frequency_ratio" else value / natural
-    name, value = first("operating_point.gap_ratio", "operating_point.gap_m")
+    name, value = first(*gaps)
     gap = value if name == "gap_ratio" else value / first("cart.amplitude_m")[1]
     return Swing(frequency, damping, gap)
 

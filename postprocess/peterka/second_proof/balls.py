@@ -83,10 +83,6 @@ class Ball:
             raise Undecided("the root of what may be negative")
         return Ball.between(isqrt(self.low << Ball.bits), isqrt(self.high << Ball.bits) + 1)
 
-    def hull(self, other: Ball) -> Ball:
-        """Encloses both."""
-        return Ball.between(min(self.low, other.low), max(self.high, other.high))
-
     def holds(self, other: Ball) -> bool:
         """Whether the other lies within this one."""
         return self.low <= other.low and other.high <= self.high
@@ -150,11 +146,9 @@ class Series:
     """Coefficients of a polynomial, from the constant on; balls, as lists of middles, their sizes, and the bounds of all within."""
 
     def __init__(self, *coefficients: Ball) -> None:
-        self.middles: list[int] = []
-        self.sizes: list[int] = []
-        self.bounds: list[int] = []
-        for coefficient in coefficients:
-            self.append(coefficient)
+        self.middles = [coefficient.middle for coefficient in coefficients]
+        self.sizes = [abs(middle) for middle in self.middles]
+        self.bounds = [coefficient.size for coefficient in coefficients]
 
     def append(self, coefficient: Ball) -> None:
         """Adds the next higher coefficient."""

@@ -1,6 +1,6 @@
 """The equation of motion of a hammer with a spring-dashpot stop, with time T in turns of the cart,
 
-    d2u/dT2 + D du/dT + K u + C c(u) = (2 pi)^2 sin(2 pi T) + f0,    c = u^3, or (u + y)^3 - y^3 with y = sin(2 pi T),
+    d2u/dT2 + D du/dT + K u + C c(u) = (2 pi)^2 y + f0,    y = sin(2 pi T),    c = u^3, or (u + y)^3 - y^3,
 
 and steps along it. u is the distance of hammer and cart in A0; with s = 2 pi/eta flight has D = 2 zeta s, K = s^2, f0 = 0 and
 contact D = s (2 zeta + chi), K = s^2 (1 + kappa), f0 = s^2 kappa g, and C = s^2 gamma in both. The stop's force in k A0 is
@@ -10,15 +10,15 @@ A step encloses all motions from a box by their Taylor series in theta, T = T0 +
 is that of the Lagrange remainder: it is taken at all states that the motions meet meanwhile.
 """
 
-from __future__ import annotations
-
-from collections.abc import Callable
 from dataclasses import dataclass
-from math import log2, sqrt
+from itertools import count
+from math import lgamma, log, log2, sqrt
 
 from .balls import Ball, Series, Undecided, from_0_to, one, pi, sine_cosine, zero
 
-Pair = tuple[Ball, Ball]  # u and du/dT
+State = tuple[Ball, Ball, Ball]  # T, u and du/dT, or what these change by
+Path = tuple[Ball, Series]  # T at theta = 0, and u
+DEPTH, PRESSURE, TIME = "u - g", "P", "T"  # surfaces in which legs end: zeros of u - g, of P, and of the time to an end
 
 
 @dataclass(frozen=True)
@@ -46,121 +46,92 @@ class Phase:
 
     def __init__(self, rig: Rig, pressed: bool) -> None:
         s = rig.turn()
-        self.rig, self.turn, self.pressed = rig, s, pressed
+        self.rig, self.turn, self.bends = rig, s, rig.cubic.size > 0
         self.damping = s * (rig.damping_ratio.times(2) + (rig.damping if pressed else zero()))
         self.spring = s * s * (one() + (rig.stiffness if pressed else zero()))
         self.push = s * s * rig.stiffness * rig.gap if pressed else zero()
-        self.bend = s * s * rig.cubic
-        self.drive = (pi() * pi()).times(4)
-        self.bends = rig.cubic.size > 0
+        self.bend, self.drive = s * s * rig.cubic, (pi() * pi()).times(4)
         self.rate = sqrt(float(self.spring)) + float(self.damping) + 6.3  # at which motions change, per turn
 
-    def longest_step(self) -> float:
-        """The longest step that is tried [turns]."""
-        return 0.8 / self.rate
+    def normal(self, surface: str) -> State:
+        """What u - g, P or T change by with T, u and du/dT."""
+        kappa, chi = self.rig.stiffness, self.rig.damping / self.turn
+        return {DEPTH: (zero(), one(), zero()), PRESSURE: (zero(), kappa, chi), TIME: (one(), zero(), zero())}[surface]
 
-    def slope(self, u: Ball, sine: Ball) -> Ball:
-        """The derivative of K u + C c(u)."""
-        if not self.bends:
-            return self.spring
-        x = u + sine if self.rig.absolute else u
-        return self.spring + (self.bend * x * x).times(3)
+    def accelerations(self, state: State, moved: list[State]) -> list[Ball]:
+        """d2u/dT2, and what it changes by where the state is `moved` by each of these."""
+        return [of[2].times(2) for of in self.series(state, one(), moved, 2)]
 
-    def acceleration(self, state: Pair, sine: Ball) -> Ball:
-        """d2u/dT2 at a state (u, du/dT)."""
-        u, w = state
-        force = self.drive * sine + self.push - self.spring * u - self.damping * w
-        if not self.bends:
-            return force
-        x = u + sine if self.rig.absolute else u
-        return force - self.bend * (x * x * x - (sine * sine * sine if self.rig.absolute else zero()))
+    def within(self, state: State, moved: list[State], length: Ball) -> tuple[State, list[State]]:
+        """Encloses all that motions from a state meet in a time `length`, and what this changes by where the state is `moved` at first:
+        a box into which the integral equation maps itself."""
+        begin = met = [state, *moved]
+        times = [state[0] + from_0_to(length), *(since for since, _, _ in moved)]
+        for _ in range(10):  # where it doesn't soon, the numbers of a cubic spring would grow without bounds
+            slopes = self.accelerations((times[0], *met[0][1:]), met[1:])
+            ends = [(t, u + from_0_to(length * v), w + from_0_to(length * a))
+                    for t, (_, u, w), (_, _, v), a in zip(times, begin, met, slopes, strict=True)]
+            if all(a.holds(b) for old, new in zip(met, ends, strict=True) for a, b in zip(old[1:], new[1:], strict=True)):
+                return ends[0], ends[1:]
+            met = [(t, *(Ball(x.middle, x.radius + (x.radius >> 2) + 2) for x in values)) for t, *values in ends]  # type: ignore[misc]
+        raise Undecided("a step too long for its bounds")
 
-    def within(self, time: Ball, length: Ball, state: Pair) -> Pair:
-        """Encloses all that motions from `state` at `time` meet in a time `length`."""
-        sine = sine_cosine(time + from_0_to(length))[0]
-        return _met(state, lambda met: (length * met[1], length * self.acceleration(met, sine)))
-
-    def series(self, time: Ball, length: Ball, state: Pair, columns: tuple[Pair, ...], order: int) -> tuple[Series, ...]:
-        """The coefficients 0 to `order` of u, and of the derivatives of u that begin with `columns`, in theta."""
+    def series(self, state: State, length: Ball, moved: list[State], order: int) -> list[Series]:
+        """The coefficients 0 to `order` of u, and of the changes of u where T, u and du/dT are `moved` at first, in theta."""
         spring, damping, bend = length * length * self.spring, length * self.damping, length * length * self.bend
         drive, push, angle = length * length * self.drive, length * length * self.push, (pi() * length).times(2)
-        sine, cosine = sine_cosine(time)
-        u, sines = Series(state[0], length * state[1]), Series(sine)
-        x, x2, y2 = Series(), Series(), Series()  # x = u or u + y, and squares
-        derivatives = tuple(Series(v, length * dv) for v, dv in columns)
+        sine, cosine = sine_cosine(state[0])
+        u, x, y, x2, y2 = Series(state[1], length * state[2]), Series(), Series(), Series(), Series()  # x = u or u + y; squares
+        changes = [(Series(v, length * w), Series(), Series(), pi().times(2) * since) for since, v, w in moved]  # of u, x, y, 2 pi T
         for k in range(order - 1):
             force = drive * sine + (push if k == 0 else zero()) - spring * u[k] - damping * u[k + 1].times(k + 1)
             if self.bends:
-                x.append(u[k] + sine if self.rig.absolute else u[k])
+                y.append(sine if self.rig.absolute else zero())
+                x.append(u[k] + y[k])
                 x2.append(x.product(x, k))
-                cube = x2.product(x, k)
-                if self.rig.absolute:
-                    y2.append(sines.product(sines, k))
-                    cube -= y2.product(sines, k)
-                force -= bend * cube
-            for v in derivatives:
-                pull = -(spring * v[k]) - damping * v[k + 1].times(k + 1)
+                y2.append(y.product(y, k))
+                force -= bend * (x2.product(x, k) - y2.product(y, k))
+            pulled = drive * cosine
+            for v, dx, dy, turned in changes:
+                pull = pulled * turned - spring * v[k] - damping * v[k + 1].times(k + 1)
                 if self.bends:
-                    pull -= (bend * x2.product(v, k)).times(3)
+                    dy.append(cosine * turned if self.rig.absolute else zero())
+                    dx.append(v[k] + dy[k])
+                    pull -= (bend * (x2.product(dx, k) - y2.product(dy, k))).times(3)
                 v.append(pull.over((k + 1) * (k + 2)))
             u.append(force.over((k + 1) * (k + 2)))
             sine, cosine = (angle * cosine).over(k + 1), -(angle * sine).over(k + 1)
-            sines.append(sine)
-        return u, *derivatives
-
-    def pressure_at(self, state: Pair) -> Ball:
-        """The stop's force at a state (u, du/dT), over k A0."""
-        return self.rig.stiffness * (state[0] - self.rig.gap) + self.rig.damping / self.turn * state[1]
-
-
-def _met(start: Pair, change: Callable[[Pair], Pair]) -> Pair:
-    """Encloses x for a time 1, where x' = change(x) and x = start at first: a box into which the integral equation maps itself."""
-    met = start
-    for _ in range(60):
-        moved = tuple(a + from_0_to(b) for a, b in zip(start, change(met), strict=True))
-        if met[0].holds(moved[0]) and met[1].holds(moved[1]):
-            return moved[0], moved[1]
-        met = tuple(Ball(x.middle, x.radius + (x.radius >> 2) + 2) for x in moved)  # type: ignore[assignment]
-    raise Undecided("a step too long for its bounds")
+        return [u, *(v for v, *_ in changes)]
 
 
 class Step:
-    """All motions from the box `cloud` at an exact time, for an exact `length`; `point` is one state of the box."""
+    """All motions from the box `cloud`, for an exact `length`; `point` is one state of the box, and `changes` are those of its motions."""
 
-    def __init__(self, phase: Phase, time: Ball, length: Ball, point: Pair, cloud: Pair) -> None:
-        self.phase, self.time, self.length = phase, time, length
-        order, smallness = 3, 0.0
-        while smallness > -Ball.bits:
-            order += 1
-            smallness = sum(log2(float(length) * phase.rate / k) for k in range(1, order + 1))
-        met = phase.within(time, length, cloud)
-        sine = sine_cosine(time + from_0_to(length))[0]
-        pull = phase.slope(met[0], sine)
-        columns = (one(), zero()), (zero(), one())
-        met_columns = tuple(_met(v, lambda x: (length * x[1], -(length * (pull * x[0] + phase.damping * x[1])))) for v in columns)
-        rest = phase.series(time + from_0_to(length), length, met, met_columns, order)
-        self._last_but_one = rest[0][order - 1]
-        self.cloud, *self.columns = phase.series(time, length, cloud, columns, order - 1)
-        self.point = phase.series(time, length, point, (), order - 1)[0]
-        for series, last in zip((self.cloud, *self.columns, self.point), (*rest, rest[0]), strict=True):
+    def __init__(self, phase: Phase, length: Ball, point: State, cloud: State, changes: list[State]) -> None:
+        self.phase, self.length = phase, length
+        order = next(n for n in count(4) if n * log2(float(length) * phase.rate) - lgamma(n + 1) / log(2) < -Ball.bits)
+        met, met_changes = phase.within(cloud, changes, length)
+        rest = phase.series(met, length, met_changes, order)
+        around, *moved = phase.series(cloud, length, changes, order - 1)
+        middle = phase.series(point, length, [], order - 1)[0]
+        for series, last in zip((around, *moved, middle), (*rest, rest[0]), strict=True):
             series.append(last[order])
+        self.cloud, self.point = (cloud[0], around), (point[0], middle)
+        self._last_but_one, self._changes = rest[0][order - 1], [(change[0], v) for change, v in zip(changes, moved, strict=True)]
 
-    def state(self, u: Series, theta: Ball) -> Pair:
-        """(u, du/dT) at a share theta of the step."""
-        return u.at(theta), u.slope().at(theta) / self.length
+    def state(self, path: Path, theta: Ball) -> State:
+        """At a share theta of the step."""
+        return path[0] + theta * self.length, path[1].at(theta), path[1].slope().at(theta) / self.length
 
-    def penetration(self, u: Series) -> Series:
-        """delta = u - gap."""
-        return Series(u[0] - self.phase.rig.gap, *(u[n] for n in range(1, len(u))))
+    def changes(self, theta: Ball) -> list[State]:
+        """What the states of the whole box, at theta, change by."""
+        return [(since, v.at(theta), v.slope().at(theta) / self.length) for since, v in self._changes]
 
-    def pressure(self, u: Series) -> Series:
-        """P, whose own remainder comes one coefficient earlier than that of u."""
-        rig, last = self.phase.rig, len(u) - 1
-        speed, delta = rig.damping / (self.phase.turn * self.length), self.penetration(u)
-        terms = (delta[n] if n < last - 1 else self._last_but_one for n in range(last))
-        return Series(*(rig.stiffness * term + speed * u[n + 1].times(n + 1) for n, term in enumerate(terms)))
-
-    def flow(self, theta: Ball) -> tuple[Pair, Pair]:
-        """The derivative of the state with respect to that at the beginning, by rows; the same for the whole box."""
-        (a, c), (b, d) = (self.state(v, theta) for v in self.columns)
-        return (a, b), (c, d)
+    def surface(self, name: str, path: Path, end: Ball) -> Series:
+        """u - g, P or T - end in theta. The remainder of u' comes one coefficient earlier than that of u."""
+        since, place, speed = self.phase.normal(name)
+        u, speed = path[1], speed / self.length
+        terms = [place * x + speed * u[n].times(n) for n, x in enumerate([*(u[n] for n in range(len(u) - 2)), self._last_but_one], 1)]
+        terms[0] += since * (path[0] - end) - place * self.phase.rig.gap
+        terms[1] += since * self.length
+        return Series(*terms)
