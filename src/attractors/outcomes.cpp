@@ -29,8 +29,7 @@ void Outcomes::add(const cell::CellResult& end, const scene::Scales& scales) {
     if (known == outcomes_.end()) known = outcomes_.insert(known, label);
     known->probability += 1;
     draws_ += 1;
-    const double strength = strength_of(end, scales);
-    if (!std::isnan(strength)) strengths_.push_back(strength);
+    strengths_.push_back(strength_of(end, scales));
 }
 
 void Outcomes::tell(SolvedCell& solved) const {
@@ -46,8 +45,9 @@ void Outcomes::tell(SolvedCell& solved) const {
     ordered.resize(kept);
     for (CellOutcome& each : ordered) each.probability /= draws_;
     solved.outcomes = std::move(ordered);
-    if (strengths_.empty()) return;
+    if (std::ranges::all_of(strengths_, [](double each) { return std::isnan(each); })) return;
     std::vector<double> sorted = strengths_;
+    for (double& each : sorted) each = std::isnan(each) ? 0 : each;
     std::ranges::sort(sorted);
     const auto quantile = [&](std::size_t percent) { return sorted[(sorted.size() * percent + 99) / 100 - 1]; };
     solved.cell.drawn_q05 = quantile(5);

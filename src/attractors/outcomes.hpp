@@ -3,8 +3,8 @@
 // An outcome is a label: the regime, and for a periodic motion its p/q. Its probability is its share of the
 // draws. The strength of an end is its peak force over the weight of the cell's own hammer, so that newtons are
 // the same whoever reads them; on a rigid stop, its largest impact speed in m/s; without impact 0. A quantile
-// is the smallest strength that this share of the draws doesn't exceed (nearest rank), over the draws whose
-// strength is known.
+// is the smallest strength that this share of the draws doesn't exceed (nearest rank). A failed draw, whose
+// hammer its springs throw out or which no solver follows, reaches none: it counts as 0, unless all fail.
 #pragma once
 
 #include <vector>

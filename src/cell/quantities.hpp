@@ -350,12 +350,12 @@ inline constexpr Quantity rows[] = {
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
     {"outcomes", member([](auto& cell) -> auto& { return cell.outcomes; }), number, "different outcomes of the rigs drawn for the cell", of_uncertain_rigs},
     {"outcome_others", member([](auto& cell) -> auto& { return cell.outcome_others; }), number, "probability of the outcomes beyond those that are kept", of_uncertain_rigs},
-    {"force_q05_ratio", member([](auto& cell) -> auto& { return cell.drawn_q05; }), number, "5 % quantile of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0", of_their_forces, interpolated},
-    {"force_q50_ratio", member([](auto& cell) -> auto& { return cell.drawn_q50; }), number, "median of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0", of_their_forces, interpolated},
-    {"force_q95_ratio", member([](auto& cell) -> auto& { return cell.drawn_q95; }), number, "95 % quantile of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0", of_their_forces, interpolated},
-    {"speed_q05", member([](auto& cell) -> auto& { return cell.drawn_q05; }), speed_of_file, "5 % quantile of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0", of_their_speeds, interpolated},
-    {"speed_q50", member([](auto& cell) -> auto& { return cell.drawn_q50; }), speed_of_file, "median of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0", of_their_speeds, interpolated},
-    {"speed_q95", member([](auto& cell) -> auto& { return cell.drawn_q95; }), speed_of_file, "95 % quantile of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0", of_their_speeds, interpolated},
+    {"force_q05_ratio", member([](auto& cell) -> auto& { return cell.drawn_q05; }), number, "5 % quantile of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0, as does a failed rig", of_their_forces, interpolated},
+    {"force_q50_ratio", member([](auto& cell) -> auto& { return cell.drawn_q50; }), number, "median of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0, as does a failed rig", of_their_forces, interpolated},
+    {"force_q95_ratio", member([](auto& cell) -> auto& { return cell.drawn_q95; }), number, "95 % quantile of the peak impact force over the weight of the cell's own hammer, F/(m g0), over the rigs drawn; no impact counts as 0, as does a failed rig", of_their_forces, interpolated},
+    {"speed_q05", member([](auto& cell) -> auto& { return cell.drawn_q05; }), speed_of_file, "5 % quantile of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0, as does a failed rig", of_their_speeds, interpolated},
+    {"speed_q50", member([](auto& cell) -> auto& { return cell.drawn_q50; }), speed_of_file, "median of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0, as does a failed rig", of_their_speeds, interpolated},
+    {"speed_q95", member([](auto& cell) -> auto& { return cell.drawn_q95; }), speed_of_file, "95 % quantile of the largest speed of the hammer against the rigid stop, over the rigs drawn; no impact counts as 0, as does a failed rig", of_their_speeds, interpolated},
 };
 
 // A share is filled by its own rule (refine/fill_attractors.cpp).

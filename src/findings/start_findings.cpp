@@ -47,8 +47,9 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::
     const auto known_hits = std::ranges::count_if(known, impacts_for_ever);
     counts.known_hit += known_hits > 0 ? 1 : 0;
     counts.known_free += std::ranges::any_of(known, ends_free_or_pressed) ? 1 : 0;
-    counts.minority += cell.start_attractor > 0 ? 1 : 0;
-    counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
+    const bool ends = cell.regime != Regime::unresolved && cell.regime != Regime::failed;
+    counts.minority += ends && cell.start_attractor != 0 ? 1 : 0;
+    counts.not_kept += ends && cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
     for (const StoredAttractor& each : here) {
         if (each.regime != Regime::failed) continue;

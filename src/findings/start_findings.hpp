@@ -40,7 +40,7 @@ struct StartCounts {
     std::int64_t known_free = 0;  // cells with a known motion without impacts that no start reached
     std::int64_t known_hit = 0;   // the same with impacts
     std::int64_t minority = 0;    // cells in which [start] ends on another attractor than most starts
-    std::int64_t not_kept = 0;    // cells in which [start] ends on no stored attractor
+    std::int64_t not_kept = 0;    // of these, those in which it ends on no stored one
     std::int64_t left_over = 0;   // cells with more attractors than are stored
     std::int64_t failing = 0;     // cells in which starts fail
     double most_failing = 0;      // the largest share of a cell's starts that do

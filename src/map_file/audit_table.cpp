@@ -15,6 +15,7 @@ namespace {
 constexpr double not_audited = regime::regime_not_computed;
 constexpr const char* agrees = "agrees";
 constexpr const char* force_error = "force_error";
+constexpr const char* filled_force_error = "filled_force_error";
 constexpr const char* sensitivity = "sensitivity";
 constexpr const char* starts = "starts";
 constexpr const char* rigs = "rigs";
@@ -39,6 +40,7 @@ constexpr hdf5::Variable columns[] = {
     {sensitivity, hdf5::Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label depends on rounding; NaN where they agree"},
     {agrees, hdf5::Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
+constexpr hdf5::Variable filled_column{filled_force_error, hdf5::Number::float64, regime::unknown, "1", "relative error of a filled cell's interpolated peak force against it; NaN in computed cells, and where there is nothing to compare"};
 constexpr hdf5::Variable start_columns[] = {
     {starts, hdf5::Number::int32, -1, "1", "starts of the cell solved again, each in full, by the independent engine"},
     {"starts_elsewhere", hdf5::Number::int32, -1, "1", "of these, how many end on another attractor than the map says"},
@@ -79,6 +81,13 @@ std::vector<Value> read_column(const hdf5::OpenMap& map, const std::string& path
     return values;
 }
 
+// The smallest error that this share of the cells does not exceed; NaN without any.
+double quantile_of(std::vector<double> errors, double share) {
+    if (errors.empty()) return regime::unknown;
+    std::ranges::sort(errors);
+    return errors[static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1];
+}
+
 }  // namespace
 
 void AuditReport::Tries::add(const AuditedTries& of_cell) {
@@ -90,6 +99,7 @@ void AuditReport::Tries::add(const AuditedTries& of_cell) {
 AuditReport report(std::span<const AuditRow> rows) {
     AuditReport report{.cells = std::ssize(rows)};
     std::vector<double> errors;
+    std::vector<double> of_filled;
     for (const AuditRow& row : rows) {
         report.agreeing += row.agrees ? 1 : 0;
         report.filled += row.computed ? 0 : 1;
@@ -100,17 +110,15 @@ AuditReport report(std::span<const AuditRow> rows) {
         report.rigs.add(row.rigs);
         report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
         if (!std::isnan(row.force_error)) errors.push_back(row.force_error);
+        if (!std::isnan(row.filled_force_error)) of_filled.push_back(row.filled_force_error);
     }
     report.compared = std::ssize(errors);
-    if (errors.empty()) return report;
-    std::ranges::sort(errors);
-    // the smallest error that this share of the cells does not exceed
-    const auto quantile = [&](double share) {
-        return errors[static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1];
-    };
-    report.median_force_error = quantile(0.5);
-    report.force_error_99_percent = quantile(0.99);
-    report.largest_force_error = errors.back();
+    report.median_force_error = quantile_of(errors, 0.5);
+    report.force_error_99_percent = quantile_of(errors, 0.99);
+    report.largest_force_error = quantile_of(errors, 1);
+    report.compared_filled = std::ssize(of_filled);
+    report.median_filled_error = quantile_of(of_filled, 0.5);
+    report.largest_filled_error = quantile_of(of_filled, 1);
     return report;
 }
 
@@ -128,6 +136,7 @@ std::vector<DatasetPlan> audit_plans(const job::Job& job) {
         for (const hdf5::Variable& column : more) plans.push_back({"/audit", column, {dimension}});
         plans.push_back({"/audit", agreeing, {}});
     };
+    if (job.refine.levels > 0) plans.push_back({"/audit", filled_column, {dimension}});
     if (job.starts.count > 0) add(start_columns, agreeing_starts);
     if (job.uncertainty.rigs > 0) add(rig_columns, agreeing_rigs);
     for (const hdf5::Variable& result : results) plans.push_back({"/audit", result, {}});
@@ -163,6 +172,7 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
     put("peak_force_ratio", index, row.again.peak_force);
     put(force_error, index, row.force_error);
     put(sensitivity, index, row.sensitivity);
+    if (has_filled_) put(filled_force_error, index, row.filled_force_error);
     if (has_starts_) put(starts, index, row.starts);
     if (has_rigs_) put(rigs, index, row.rigs);
     hdf5::Stored(map_, seconds_path, hdf5::Number::float64).write(hdf5::Block(index, 1), &row.seconds);
@@ -182,6 +192,10 @@ std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
         rows[i].sensitivity = growths[i];
         rows[i].agrees = marks[i] == 1;
         rows[i].seconds = times[i];
+    }
+    if (has_filled_) {
+        const auto of_filled = read_column<double>(map_, path_of(filled_force_error), count);
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].filled_force_error = of_filled[i];
     }
     const auto of_starts = has_starts_ ? read_tries(starts, count) : std::vector<AuditedTries>(rows.size());
     const auto of_rigs = has_rigs_ ? read_tries(rigs, count) : std::vector<AuditedTries>(rows.size());

@@ -30,6 +30,7 @@ struct AuditRow {
     std::int64_t column = 0;
     quantities::StoredCell again;          // the independent result
     double force_error = regime::unknown;  // of the map relative to it; NaN if there is nothing to compare
+    double filled_force_error = regime::unknown;  // the same of a force interpolated in a filled cell
     double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
                                            // in either run
     bool agrees = false;                   // same regime, and the same p/q where it is periodic
@@ -50,6 +51,9 @@ struct AuditReport {
     double median_force_error = regime::unknown;  // of these, relative, as are the next two
     double force_error_99_percent = regime::unknown;
     double largest_force_error = regime::unknown;
+    std::int64_t compared_filled = 0;  // filled cells with a filled_force_error
+    double median_filled_error = regime::unknown;
+    double largest_filled_error = regime::unknown;
     double seconds_per_cell = 0;  // of the independent engine
     struct Tries {                // of these cells
         std::int64_t solved = 0;  // again
@@ -74,7 +78,10 @@ class AuditTable {
   public:
     // The table has columns for starts and drawn rigs where the job has these.
     AuditTable(const hdf5::OpenMap& map, const job::Job& job)
-        : map_(map), has_starts_(job.starts.count > 0), has_rigs_(job.uncertainty.rigs > 0) {}
+        : map_(map),
+          has_filled_(job.refine.levels > 0),
+          has_starts_(job.starts.count > 0),
+          has_rigs_(job.uncertainty.rigs > 0) {}
 
     [[nodiscard]] bool has(std::int64_t index) const;
     void write(std::int64_t index, const AuditRow& row) const;
@@ -89,6 +96,7 @@ class AuditTable {
     void put(const char* name, std::int64_t index, Value value) const;
 
     hdf5::OpenMap map_;
+    bool has_filled_;
     bool has_starts_;
     bool has_rigs_;
 };

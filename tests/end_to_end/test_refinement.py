@@ -141,7 +141,14 @@ def test_an_audit_tells_of_filled_cells_apart(tmp_path):
         assert 5 < computed.sum() < 55 and np.isnan(errors[~computed]).all() and np.isfinite(errors[computed]).any()
         same = np.all([file[f"audit/{name}"][()] == file[name][()][rows, columns] for name in ("regime", "impacts", "period")], axis=0)
         assert (same == (agrees == 1)).all() and same[computed].all()
-    filled = ~computed
+        filled, orbits = ~computed, (agrees == 1) & (file["audit/regime"][()] == 1)
+        with np.errstate(invalid="ignore"):  # without impact
+            interpolated = np.abs(file["peak_force_ratio"][()][rows, columns] / file["audit/peak_force_ratio"][()] - 1)
+        of_filled = file["audit/filled_force_error"][()]
+        assert np.array_equal(of_filled[filled & orbits], interpolated[filled & orbits]) and np.isnan(of_filled[~(filled & orbits)]).all()
+    worst = of_filled[filled & orbits].max()
+    assert f"{worst:.1e} (largest) in {(filled & orbits).sum()} filled cells" in finished.stdout
+    assert "computed cells\n" in finished.stdout.split("peak force          off by")[1][:90]
     assert (f"of these            {same[computed].sum()} of {computed.sum()} computed cells, {same[filled].sum()} of {filled.sum()} filled "
             "from the cells around") in finished.stdout
 

@@ -208,3 +208,28 @@ def test_probabilities_are_those_of_plain_draws(tmp_path, start):
             worst = max(worst, *uncertain_rigs.deviations(cells, row, column, rigs, labels, strengths))
     assert worst < MOST_ERRORS
     assert np.any((cells["outcome_probability"][0] < 0.98) & (cells["outcome_probability"][0] > 0.3))
+
+
+SOFT = """
+schema = 1
+kind = "map"
+title = "softening springs"
+hammer = { mass_kg = 0.35, natural_frequency_hz = 6.0, damping_ratio = 0.02, cubic_stiffness_n_per_m3 = -2.2e7 }
+cart = { amplitude_m = 0.8e-3 }
+contact = { law = "kelvin_voigt", stiffness_n_per_m = 1.2e6, damping_ns_per_m = 500.0 }
+axes = { frequency_hz = { from = 9.0, to = 10.0, points = 3 }, gap_m = { from = 0.0, to = 4e-4, points = 2 } }
+[uncertainty]
+rigs = 40
+hammer = { cubic_stiffness_n_per_m3 = { relative = 0.1 } }
+"""
+
+
+@pytest.mark.thorough
+def test_a_rig_that_is_thrown_out_of_its_springs_reaches_no_force(tmp_path):
+    """Of some cells' rigs the softening spring throws out a tenth and more: no force is reached by 95 % of them."""
+    cells = uncertain_rigs.told(uncertain_rigs.compute(tmp_path, SOFT)[0])
+    thrown = np.where(cells["outcome_regime"] == uncertain_rigs.FAILED, cells["outcome_probability"], 0).sum(axis=0)
+    low, median, high = (cells[f"force_q{percent}_ratio"] for percent in ("05", "50", "95"))
+    few, some = (thrown < 0.05) & (cells["outcome_others"] == 0), (thrown > 0.05) & (thrown < 0.95)
+    assert few.any() and some.any(), thrown
+    assert (low[few] > 0).all() and (low[some] == 0).all() and (high[some] > 0).all() and (median[thrown < 0.5] > 0).all()

@@ -15,6 +15,7 @@ NUMBERS = ("mass_kg", "natural_frequency_hz", "stiffness_n_per_m", "damping_ns_p
            "cubic_form", "amplitude_m", "law", "first", "second", "third", "max_cycles", "max_period", "chaos_cycles", "engine", "tolerance",
            "omit_tolerance", "frequency_ratio", "gap_ratio", "displacement_ratio", "velocity_ratio")
 REGIME, IMPACTS, PERIOD, FORCE, SPEED = 0, 3, 4, 6, 11
+FAILED = 5  # a regime
 G0 = 9.80665
 KEYS = {"contact.stiffness_n_per_m": "first", "contact.damping_ns_per_m": "second", "contact.coefficient": "first"}
 COVARIANCE = """# numbers that were identified together
@@ -100,14 +101,15 @@ def from_random_starts(own, cells, random, displacement=(-4.0, 1.0), velocity=(-
 
 
 def solve(cells):
-    """(labels, forces over the weight of the drawn hammer or impact speeds) of cells, solved one by one by another engine than a map's."""
+    """(labels, forces over the weight of the drawn hammer or impact speeds) of cells, solved one by one by another engine than a map's;
+    without impact, or failed, 0."""
     lines = [" ".join(repr(float(cell.get(name, np.nan))) for name in NUMBERS) for cell in cells]
     done = subprocess.run([os.environ["LIVE_CELLS"]], input="\n".join(lines), capture_output=True, text=True, timeout=launch.HANGING, check=True)
     answers = np.array([[float(word) for word in line.split()] for line in done.stdout.splitlines()])
     regime = answers[:, REGIME].astype(int)
     labels = [(int(r), int(p) if r == 1 else 0, int(q) if r in (0, 1, 3) else 0) for r, p, q in zip(regime, answers[:, IMPACTS], answers[:, PERIOD])]
     strength = answers[:, FORCE] if cells[0]["law"] != 1 else answers[:, SPEED]
-    return labels, np.where(regime == 0, 0.0, strength)
+    return labels, np.where((regime == 0) | (regime == FAILED), 0.0, strength)
 
 
 def told(path):

@@ -2,6 +2,7 @@
 
 import math
 import re
+import sys
 
 import h5py
 import matplotlib.pyplot as plt
@@ -172,6 +173,20 @@ def test_a_motion_without_impact_counts_between_the_cells(tmp_path, run_program)
     assert (code, err) == (0, "")
     assert "by proof: nowhere within the drift, nor between the cells there, can the hammer swing without impact" in out
     assert re.search(r"by sampling: all 20 starts .* less than 14 % of the starts isn't excluded \(59 exclude more than 5 %, 299", out)
+
+
+def test_with_a_cubic_spring_no_motion_without_impact_is_excluded_by_proof(tmp_path, run_program, monkeypatch):
+    """A softening one swings less far above its resonance than a linear one, whose closed form it is."""
+    monkeypatch.setattr(sys.modules[__name__], "JOB", JOB.replace("natural_frequency_hz", "cubic_stiffness_n_per_m3 = -1e6, natural_frequency_hz"))
+    path = one_label(tmp_path / "a.h5", np.linspace(2.4, 2.6, 5), np.linspace(0.7, 1.5, 5))
+    out = run_program("operating_point", path, "--hz", 0.01, "--mm", 0.05, "--formats", "png")[1]
+    assert "by proof" not in out and "not proved: nowhere within the drift" in out and "if its springs were linear (closed form)" in out
+    out = run_program("operating_point", path, "--hz", 0.01, "--mm", 0.2, "--starts", "share", "0.8", "--formats", "png")[1]
+    assert "a motion without impact (between cells of the box, in closed form of linear springs, which these are not quite)" in out
+    monkeypatch.undo()
+    out = run_program("operating_point", one_label(tmp_path / "b.h5", np.linspace(2.4, 2.6, 5), np.linspace(0.7, 1.5, 5)), "--hz", 0.01, "--mm", 0.2,
+                      "--starts", "share", "0.8", "--formats", "png")[1]
+    assert "a motion without impact (between cells of the box, in closed form)" in out
 
 
 @pytest.mark.parametrize("name, coordinates", [

@@ -74,6 +74,18 @@ TEST(Outcomes, QuantilesAreNearestRanksAndNoImpactIsNoForce) {
     EXPECT_DOUBLE_EQ(solved.outcomes[2].probability, 1.0 / 101);
 }
 
+// So that what all but 5 % reach is reached by 95 % of all rigs.
+TEST(Outcomes, AFailedRigReachesNoForce) {
+    OfRigs outcomes(own_cell());
+    for (int force = 1; force <= 90; ++force) outcomes.add(end(Regime::periodic, 1, 1, force), {});
+    for (int i = 0; i < 10; ++i) outcomes.add(end(Regime::failed, 0, 0, std::nan("")), {});
+    SolvedCell solved;
+    outcomes.tell(solved);
+    EXPECT_EQ(solved.cell.drawn_q05, 0);
+    EXPECT_EQ(solved.cell.drawn_q50, 40);
+    EXPECT_EQ(solved.cell.drawn_q95, 85);
+}
+
 // Newtons are what counts: those of the drawn rig, over the weight of the cell's own hammer.
 TEST(Outcomes, ForcesAreOverTheWeightOfTheOwnHammer) {
     OfRigs outcomes(own_cell(2.0));
@@ -93,7 +105,7 @@ TEST(Outcomes, OnARigidStopTheSpeedTakesTheForcesPlace) {
     EXPECT_DOUBLE_EQ(solved.cell.drawn_q95, 12);
 }
 
-TEST(Outcomes, WithoutAnyForceThereIsNoQuantile) {
+TEST(Outcomes, WhereAllRigsFailThereIsNoQuantile) {
     OfRigs outcomes(own_cell());
     outcomes.add(end(Regime::failed, 0, 0, std::nan("")), {});
     SolvedCell solved;

@@ -25,6 +25,7 @@ struct Row {
         StoredCell& cell = cells.emplace_back();
         cell.attractors = all < 0 ? static_cast<std::int32_t>(here.size()) : all;
         cell.start_attractor = start_on;
+        cell.regime = cell::Regime::periodic;
         attractors.push_back(here);
     }
     void add_to(StartFindings& findings, std::size_t slots = 3) const {
@@ -42,7 +43,6 @@ TEST(StartFindings, AFilledCellHasNoMotionsThatWereNotFollowed) {
         Row row;
         row.add(0, {striking});
         row.add(0, {striking});
-        for (StoredCell& cell : row.cells) cell.regime = cell::Regime::periodic;
         row.cells[1].computed = false;
         StartFindings findings;
         row.add_to(findings, slots);
@@ -54,7 +54,7 @@ TEST(StartFindings, EachCellCountsOnceForWhatIsTrueOfIt) {
     Row row;
     row.add(0, {swinging_free, striking});     // both kinds
     row.add(1, {swinging_free, striking});     // [start] is on the smaller share
-    row.add(-1, {swinging_free, striking});    // and on none that is kept
+    row.add(-1, {swinging_free, striking});    // so it is on one that isn't kept
     row.add(0, {swinging_free});               // never hits
     row.add(0, {striking, known_swing}, 1);    // a swinging_free that no start reached
     row.add(0, {swinging_free, striking}, 5);  // more than are kept
@@ -64,7 +64,7 @@ TEST(StartFindings, EachCellCountsOnceForWhatIsTrueOfIt) {
     EXPECT_EQ(counts.cells, 6);
     EXPECT_EQ(counts.mixed, 5);
     EXPECT_EQ(counts.never_hit, 1);
-    EXPECT_EQ(counts.minority, 1);
+    EXPECT_EQ(counts.minority, 2);
     EXPECT_EQ(counts.not_kept, 1);
     EXPECT_EQ(counts.known_free, 1);
     EXPECT_EQ(counts.known_hit, 0);
@@ -127,6 +127,20 @@ TEST(StartFindings, PairsAreOfTheLargestSharesThatAreResolved) {
     EXPECT_EQ(findings.pairs, (std::map<AttractorPair, std::int64_t>{{{of_swing, of_orbit}, 1}}));
 }
 
+TEST(StartFindings, AStartThatIsNotResolvedEndsOnNoAttractor) {
+    Row row;
+    for (const auto regime : {cell::Regime::unresolved, cell::Regime::failed, cell::Regime::chaotic}) {
+        row.add(-1, {swinging_free, striking});
+        row.cells.back().regime = regime;
+        row.add(1, {swinging_free, striking});
+        row.cells.back().regime = regime;
+    }
+    StartFindings findings;
+    row.add_to(findings);
+    EXPECT_EQ(findings.counts.minority, 2);
+    EXPECT_EQ(findings.counts.not_kept, 1);
+}
+
 TEST(StartFindings, AreSumsOverTheTiles) {
     Row row;
     row.add(-1, {swinging_free, striking}, 5);
@@ -137,7 +151,7 @@ TEST(StartFindings, AreSumsOverTheTiles) {
     twice.counts.add(once.counts);
     EXPECT_EQ(twice.counts.cells, 4);
     EXPECT_EQ(twice.counts.mixed, 2 * once.counts.mixed);
-    EXPECT_EQ(twice.counts.minority, 2);
+    EXPECT_EQ(twice.counts.minority, 4);
     EXPECT_EQ(twice.counts.not_kept, 2);
     EXPECT_EQ(twice.counts.left_over, 2 * once.counts.left_over);
     EXPECT_EQ(twice.counts.by_number[5], 2);

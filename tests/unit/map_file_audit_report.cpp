@@ -49,6 +49,20 @@ TEST(AuditReport, FilledCellsAreCountedApart) {
     EXPECT_EQ(result.filled, 3);
     EXPECT_EQ(result.agreeing_filled, 2);
     EXPECT_EQ(result.decided_by_rounding, 0);
+    EXPECT_EQ(result.compared, 1);
+    EXPECT_EQ(result.compared_filled, 0);
+}
+
+TEST(AuditReport, ForcesOfFilledCellsAreComparedApart) {
+    std::vector<AuditRow> rows(3, row(regime::unknown, true));
+    for (int i = 0; i < 3; ++i) rows[static_cast<std::size_t>(i)].filled_force_error = 3 - i;
+    rows.push_back(row(1e-5, true));
+    const AuditReport result = report(rows);
+    EXPECT_EQ(result.compared, 1);
+    EXPECT_EQ(result.largest_force_error, 1e-5);
+    EXPECT_EQ(result.compared_filled, 3);
+    EXPECT_EQ(result.median_filled_error, 2);
+    EXPECT_EQ(result.largest_filled_error, 3);
 }
 
 TEST(AuditReport, WithoutForcesToCompareThereAreNoErrors) {

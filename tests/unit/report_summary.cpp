@@ -322,6 +322,19 @@ TEST(Summary, ASingleForceIsEnoughToTellItsError) {
                                              .largest_force_error = 2e-5});
     };
     EXPECT_TRUE(contains(text(1), "2.0e-05 (largest) in 1 cell")) << text(1);
+    const std::string refined = summary(statistics_of_a_hundred_cells(), job::Kind::map, {},
+                                        map_file::AuditReport{.cells = 9,
+                                                              .agreeing = 9,
+                                                              .filled = 4,
+                                                              .agreeing_filled = 4,
+                                                              .compared = 5,
+                                                              .compared_filled = 3,
+                                                              .median_filled_error = 4e-5,
+                                                              .largest_filled_error = 2e-3});
+    EXPECT_TRUE(contains(refined, "(largest) in 5 computed cells")) << refined;
+    EXPECT_TRUE(
+        contains(refined, "interpolated forces off by 4.0e-05 (median), 2.0e-03 (largest) in 3 filled cells"))
+        << refined;
     EXPECT_FALSE(contains(text(0), "(largest)")) << text(0);
 }
 

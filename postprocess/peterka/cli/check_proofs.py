@@ -6,7 +6,7 @@ Takes certified periodic cells, spread evenly over the file, and prints a line f
 (with --all-words for each), then counts. Confirmed: exactly one orbit lies in a box near the cell's; its q is the smallest period,
 its p, its stability and its largest force, or impact speed on a rigid stop, are as the file tells. The job needs [certificate], and fields = ["orbit"] in [output].
 Where its attractors are certified, too (certificate.attractors), it takes these instead, whatever the fields, as many as --cells says.
-A cell takes half a second with linear springs; with a cubic one seconds, some a minute and more.
+A cell takes some tenths of a second with linear springs; with a cubic one seconds.
 Exit codes: 0 no cell is contradicted; 1 one is; 2 a file cannot be read.
 """
 

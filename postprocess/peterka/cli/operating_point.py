@@ -229,10 +229,10 @@ def what_is_told(file: PeterkaFile, starts: str | float, best: Place, reaches: t
             "the file doesn't tell what is known beside its starts: compute it again with this program"]
         return [told.text_of_proof(file), told.text_of_sampling(told.starts_of(file), None), *older]
     if starts == JOB:
-        also = "; a motion without impact exists in the best box" if stays_free else ""
+        also = f"; a motion without impact exists in the best box ({told.closed_form_of(file)})" if stays_free else ""
         return [f"by computation: at the cells of a box, from this one start; others may end elsewhere{also}"]
     return [told.text_of_sampling(told.starts_of(file), best.share),
-            told.text_of_left_out(told.left_out(file, best, *reaches), stays_free)]
+            told.text_of_left_out(file, told.left_out(file, best, *reaches), stays_free)]
 
 
 def fields_at(file: PeterkaFile, place: Place) -> dict[str, float]:

@@ -2,7 +2,7 @@
 of their forces.
 
 On [outcome][rows][columns]: outcome_regime int8 (-128: empty slot), outcome_impacts and outcome_period int32, outcome_probability f64.
-On [rows][columns], of all draws, where no impact counts as 0: force_q05_ratio, force_q50_ratio, force_q95_ratio f64 [F/(m g)], or, of a
+On [rows][columns], of all draws, where no impact and failed rigs count as 0: force_q05_ratio, force_q50_ratio, force_q95_ratio f64 [F/(m g)], or, of a
 stop without a force, speed_q05, speed_q50, speed_q95 [m/s]; outcome_others, the probability of the motions that are not kept.
 """
 

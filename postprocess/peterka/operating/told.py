@@ -86,12 +86,12 @@ def left_out(file: PeterkaFile, place: Place, rows: Reach, columns: Reach) -> li
     return sorted(found, key=lambda one: (-one.share, -one.cells, one.name))
 
 
-def text_of_left_out(found: list[LeftOut], stays_free: bool) -> str:
+def text_of_left_out(file: PeterkaFile, found: list[LeftOut], stays_free: bool) -> str:
     """Describes the other motions of the best place."""
     words = [f"{one.name} (in {one.cells} cells of the box, " +
              (f"up to {100 * one.share:.2g} % of a cell's starts)" if one.share > 0 else "found by no start)") for one in found]
     if stays_free and all(one.name != NAMES[NO_IMPACT] for one in found):
-        words.append(f"{CLOSED_FORM} (between cells of the box, in closed form)")
+        words.append(f"{CLOSED_FORM} (between cells of the box, in {closed_form_of(file)})")
     return f"left out: {', '.join(words)}" if words else "nothing is left out: no other motion is known in the best box"
 
 
@@ -108,8 +108,22 @@ def text_of_sampling(starts: int, share: float | None) -> str:
 
 def text_of_proof(file: PeterkaFile) -> str:
     """What holds for every start and everywhere within the drift."""
-    springs = ", of linear springs" if job_numbers.number_of(_tables(file), "hammer.cubic_stiffness_n_per_m3") else ""
-    return f"by proof: nowhere within the drift, nor between the cells there, can the hammer swing without impact (closed form{springs})"
+    where = "nowhere within the drift, nor between the cells there,"
+    if has_cubic_spring(file):
+        return (f"not proved: {where} could the hammer swing without impact if its springs were linear (closed form); with the cubic term of these "
+                "a motion without impact isn't excluded that no start found")
+    return f"by proof: {where} can the hammer swing without impact (closed form)"
+
+
+def closed_form_of(file: PeterkaFile) -> str:
+    """The words for that of a motion without impact."""
+    return "closed form of linear springs, which these are not quite" if has_cubic_spring(file) else "closed form"
+
+
+def has_cubic_spring(file: PeterkaFile) -> bool:
+    """Whether some of a map's cells have one."""
+    name = "hammer.cubic_stiffness_n_per_m3"
+    return bool(job_numbers.number_of(_tables(file), name)) or name.replace(".", "_") in (file.rows.name, file.columns.name)
 
 
 def _tables(file: PeterkaFile) -> dict[str, Any]:

@@ -46,7 +46,7 @@ def follow(rig: Rig, state: Reals, until: float, time: float = 0.0) -> tuple[Rea
             events.append((time, RELEASE if pressed else RENEWED if deep else TOUCH))
             pressed = not pressed
         if len(events) > MOST_EVENTS or rebound is not None and not state[1] < -1e-6:
-            raise Undecided("too many contacts for this program, or impacts that end in rest on the stop")
+            raise Undecided("too many contacts for this program" if rebound is None else "impacts that end in rest on the stop")
     return state, events
 
 
