@@ -6,7 +6,8 @@
 // M. The response to a bounded right-hand side is at most H times the bound, H = integral of |impulse
 // response|, so |e| <= R/(1 - L H) for all time, with R the linear amplitude of the present e (small-gain
 // theorem, Zames 1966). Lasting contacts are then proved as orbits, as are those on a stop that is neither
-// linear nor rigid.
+// linear nor rigid. Newton's method for o(t) costs as much as 60 cycles of a batch, so it waits for a state
+// close enough to the steady motion without the cubic spring: o(t) lies near that one, too.
 #pragma once
 
 #include <optional>
@@ -41,11 +42,11 @@ class LastingMotionProof {
     explicit LastingMotionProof(const StroboscopicMap& map);
 
     // Proved for all future time, from the state at forcing phase 0; nothing if not.
-    [[nodiscard]] std::optional<SettledMotion> stays_free(const scene::State<double>& x) const;
+    [[nodiscard]] std::optional<SettledMotion> stays_free(const scene::State<double>& x);
     [[nodiscard]] std::optional<SettledMotion> stays_in_contact(const scene::State<double>& x) const;
 
     // Whether such a motion exists for some start, as far as is known.
-    [[nodiscard]] bool may_settle() const;
+    [[nodiscard]] bool may_settle();
 
   private:
     // std::monostate: nothing is proved, as for a law without a closed form of its lasting contacts.
@@ -58,16 +59,26 @@ class LastingMotionProof {
         Eigen::Matrix2d jacobian;
         double largest_displacement;
     };
-    void find_free_orbit(const StroboscopicMap& map);
-    [[nodiscard]] bool close_enough(const scene::State<double>& x) const;
+    // With a cubic spring.
+    [[nodiscard]] std::optional<FreeOrbit> find_free_orbit() const;
+    [[nodiscard]] const FreeOrbit* free_orbit();  // nullptr: none
+    [[nodiscard]] double room_of_free_orbits() const;
+    [[nodiscard]] double amplitude(const scene::State<double>& deviation) const;
+    [[nodiscard]] double lipschitz() const;  // L
+    [[nodiscard]] double loop() const;       // L H
+    [[nodiscard]] bool close_enough(const scene::State<double>& x, const FreeOrbit& orbit) const;
 
-    // First the flags read after every cycle.
-    bool may_stay_free_ = false;
+    // First what is read after every cycle.
+    bool may_stay_free_ = false;  // with a cubic spring: as far as is known
     bool may_stay_in_contact_ = false;
+    double room_ = 0;              // see room_of_free_orbits()
+    scene::State<double> steady_;  // of the free flight
     scene::Oscillator<double> oscillator_;
+    EngineSettings settings_;
     trajectory::FreeFlight<double> free_flight_;  // of the oscillator without its cubic spring
     Contact contact_;                             // the same
-    std::optional<FreeOrbit> free_orbit_;         // of an oscillator with a cubic spring
+    bool looked_for_orbit_ = false;
+    std::optional<FreeOrbit> free_orbit_;  // of an oscillator with a cubic spring, once it was looked for
 };
 
 }  // namespace peterka::regime

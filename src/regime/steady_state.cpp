@@ -39,7 +39,7 @@ class Search {
                       measures),
           settling_(map_),
           recurrence_(budget.max_period, oscillator.cubic != 0),
-          chaos_(budget, settling_.may_settle()),
+          budget_(budget),
           longest_orbit_near_(std::min(ChaosClaim::longest_orbit_near, budget.max_period)),
           most_growth_(most_growth),
           measures_(measures),
@@ -70,10 +70,10 @@ class Search {
                         }
                     }
                     if (is_chaotic()) {
-                        if (!chaos_.asks_for_orbits(growth_))
+                        if (!chaos_->asks_for_orbits(growth_))
                             co_return unproved(Regime::chaotic, Status::verified);
                         if (co_await is_stable_orbit_near(map_, recurrence_, longest_orbit_near_))
-                            chaos_.wait_beside_an_orbit();
+                            chaos_->wait_beside_an_orbit();
                     }
                 }
             }
@@ -125,8 +125,10 @@ class Search {
         return knows_chaos_ && trajectory_.cycles() >= SearchContext::cycles_to_settle &&
                growth_.sensitivity() > rounding_decides;
     }
-    [[nodiscard]] bool is_chaotic() const {
-        return ChaosClaim::looks_chaotic(growth_) && chaos_.lasted_long_enough(growth_, trajectory_.cycles());
+    [[nodiscard]] bool is_chaotic() {
+        if (!ChaosClaim::looks_chaotic(growth_)) return false;
+        if (!chaos_) chaos_.emplace(budget_, settling_.may_settle());  // which may have to look for an orbit
+        return chaos_->lasted_long_enough(growth_, trajectory_.cycles());
     }
     [[nodiscard]] Status why_unresolved() const {
         if (conservative_) return Status::conservative;
@@ -309,7 +311,8 @@ class Search {
     LastingMotionProof settling_;
     Recurrence recurrence_;
     Growth growth_;
-    ChaosClaim chaos_;
+    job::SteadyState budget_;
+    std::optional<ChaosClaim> chaos_;  // since the motion looks chaotic
     std::int64_t longest_orbit_near_;
     std::optional<ConvergenceTest> test_;
     const CellResult* converges_to_ = nullptr;  // the attractor of the test's orbit, if it is a known one

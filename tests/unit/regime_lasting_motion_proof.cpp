@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "rig.hpp"
@@ -44,13 +45,17 @@ struct FreeHammer {
           motion(settled()) {}
 
     // Near the stop's far side, where the linear amplitude of the distance equals its value at phase 0.
-    [[nodiscard]] bool stays_free_at(double distance) const {
-        return settling.stays_free(motion.point + scene::State<double>(distance, 0)).has_value();
+    [[nodiscard]] bool stays_free_at(double distance) {
+        return stays_free_from(motion.point + scene::State<double>(distance, 0));
+    }
+    // By a proof of its own, which may not have looked for the orbit before.
+    [[nodiscard]] bool stays_free_from(const scene::State<double>& x) const {
+        return LastingMotionProof(map).stays_free(x).has_value();
     }
 
   private:
     // The free orbit of the nonlinear springs lies close to that of the linear ones.
-    [[nodiscard]] SettledMotion settled() const {
+    [[nodiscard]] SettledMotion settled() {
         auto linear = oscillator;
         linear.cubic = 0;
         const trajectory::FreeFlight<double> flight(linear);
@@ -71,7 +76,7 @@ scene::Oscillator<double> damped_hammer(double cubic, job::CubicForm form) {
 // Distances grow to at most 1/(1 - L H) of their linear amplitude: the proof ends there, not at the stop.
 TEST(LastingMotionProof, ACubicSpringTakesItsShareOfTheRoom) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
-        const FreeHammer hammer(damped_hammer(1e-3, form));
+        FreeHammer hammer(damped_hammer(1e-3, form));
         const double gap = hammer.oscillator.gap;
         const double farthest = form == job::CubicForm::absolute ? gap + 1 : gap;
         const double loop = 3e-3 * farthest * farthest * integral_of_impulse_response(0.1);
@@ -87,12 +92,39 @@ TEST(LastingMotionProof, ACubicSpringTakesItsShareOfTheRoom) {
     }
 }
 
+// The orbit is looked for once a state is near the steady motion of the linear springs: that must leave out
+// none that is close enough, in any direction, even where little room is left.
+TEST(LastingMotionProof, EveryStateCloseEnoughIsFound) {
+    for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
+        for (const double zeta : {0.0036, 0.1, 0.6}) {
+            for (const double gap : {1.4, 3.0}) {
+                auto oscillator = damped_hammer(0, form);
+                oscillator.damping_ratio = zeta;
+                oscillator.gap = gap;
+                const double reach = form == job::CubicForm::absolute ? gap + 1 : gap;
+                oscillator.cubic = 0.03 / (3 * reach * reach * gain(zeta));  // L H = 0.03
+                FreeHammer hammer(oscillator);
+                const double rate = std::sqrt(1 - zeta * zeta);
+                const double most = (gap - hammer.motion.largest_displacement) * (1 - 0.03);
+                ASSERT_GT(most, 0);
+                for (int n = 0; n < 16; ++n) {
+                    const double angle = 2 * std::numbers::pi * n / 16;
+                    const scene::State<double> e(std::cos(angle),
+                                                 rate * std::sin(angle) - zeta * std::cos(angle));
+                    EXPECT_TRUE(hammer.stays_free_from(hammer.motion.point + 0.999 * most * e));
+                    EXPECT_FALSE(hammer.stays_free_from(hammer.motion.point + 1.001 * most * e));
+                }
+            }
+        }
+    }
+}
+
 TEST(LastingMotionProof, ACubicSpringThatIsTooStrongProvesNothing) {
     auto oscillator = damped_hammer(1e-3, job::CubicForm::relative);
     oscillator.cubic = 6.5e-3;  // L H = 1.1
     CycleBroker broker;
     const StroboscopicMap map(oscillator, {Engine::arkode, 1e-9}, broker);
-    const LastingMotionProof settling(map);
+    LastingMotionProof settling(map);
     EXPECT_TRUE(settling.may_settle());
     oscillator.cubic = 0;
     EXPECT_FALSE(settling.stays_free(trajectory::FreeFlight<double>(oscillator).steady()).has_value());
