@@ -24,7 +24,7 @@ std::vector<SolvedCell> solve_row(const scene::Scene& scene, std::int64_t row,
     const regime::AttractorTable none;
     MultiStartPool pool(
         scene, none,
-        [&](MultiStartPool::NumberedCell cell) {
+        [&](MultiStartPool::NumberedCell& cell) {
             solved[static_cast<std::size_t>(cell.number)] = std::move(cell.cell);
         },
         Ends::firsts);

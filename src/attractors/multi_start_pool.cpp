@@ -62,8 +62,7 @@ void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
     if (cell.task.done()) {
         NumberedCell solved{number, cell.task.result(), cell.seconds};
         cells_.erase(number);
-        take_(std::move(solved));
-        return;
+        return take_(solved);
     }
     const std::vector<SearchFactory>& ordered = cell.broker.ordered();
     cell.ended.resize(ordered.size());
@@ -75,7 +74,10 @@ void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
 }
 
 void MultiStartPool::keep(regime::SearchPool::NumberedOutcome& search) {
-    if (!searches_many_) return take_({search.number, {search.outcome.result, {}}, search.seconds});
+    if (!searches_many_) {
+        NumberedCell solved{search.number, {search.outcome.result, {}}, search.seconds};
+        return take_(solved);
+    }
     const auto where = searches_.find(search.number);
     PETERKA_EXPECT(where != searches_.end());
     const auto [number, place] = where->second;

@@ -24,7 +24,8 @@ class MultiStartPool {
         SolvedCell cell;
         double seconds;
     };
-    using Take = std::function<void(NumberedCell solved)>;
+    // May move the cell away.
+    using Take = std::function<void(NumberedCell& solved)>;
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive this.
     MultiStartPool(const scene::Scene& scene, const regime::AttractorTable& known, Take take,

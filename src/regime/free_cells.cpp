@@ -57,9 +57,9 @@ std::optional<CellResult> FreeCells::compute(const scene::Cell& cell) {
 std::optional<CellResult> FreeCells::told_by_another(const scene::Cell& cell) const {
     const RecentCell& known = known_[place_of(cell)];
     if (!known.tells_of(cell)) return std::nullopt;
-    CellResult result = known.result;
+    std::optional<CellResult> result = known.result;
     const double gap = cell.oscillator.gap;
-    result.orbit_displacement = (known.steady_displacement - gap) + gap;  // rounded like the cell's own delta
+    result->orbit_displacement = (known.steady_displacement - gap) + gap;  // rounded like the cell's own delta
     return result;
 }
 

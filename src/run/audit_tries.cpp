@@ -23,7 +23,7 @@ attractors::SolvedCell with_ends(const scene::Scene& scene, std::int64_t row, st
     attractors::SolvedCell told;
     const regime::AttractorTable none;
     attractors::MultiStartPool pool(
-        scene, none, [&](attractors::MultiStartPool::NumberedCell solved) { told = std::move(solved.cell); },
+        scene, none, [&](attractors::MultiStartPool::NumberedCell& solved) { told = std::move(solved.cell); },
         attractors::Ends::told);
     pool.add(row, column, 0);
     while (!pool.empty()) pool.step();

@@ -25,7 +25,7 @@ class TileSolver {
           work_(work),
           source_(source),
           elasticities_(scene.job()),
-          pool_(scene, known, [this](auto solved) { keep(std::move(solved)); }) {}
+          pool_(scene, known, [this](auto& solved) { keep(solved); }) {}
 
     void solve() {
         keep_solving(pool_, source_, [this] { return add_cell(); });
@@ -72,7 +72,7 @@ class TileSolver {
         waiting_.push_front(&open);  // tiles in progress are completed before others
     }
 
-    void keep(attractors::MultiStartPool::NumberedCell cell) {
+    void keep(attractors::MultiStartPool::NumberedCell& cell) {
         Open& open = open_.at(cell.number / most_cells);
         const auto i = static_cast<std::size_t>(cell.number % most_cells);
         open.results[i] = std::move(cell.cell);
@@ -107,7 +107,7 @@ class TileSolver {
                                                     const scene::State<double>& start) const {
         attractors::SolvedCell solved;
         attractors::MultiStartPool pool(scene_, known_,
-                                        [&](auto numbered) { solved = std::move(numbered.cell); });
+                                        [&](auto& numbered) { solved = std::move(numbered.cell); });
         pool.add(row, column, start, 0);
         while (!pool.empty()) pool.step();
         return solved;

@@ -70,7 +70,7 @@ job::Job random_job(Random& random, bool kicks) {
 attractors::SolvedCell solve(const scene::Scene& scene) {
     attractors::SolvedCell solved;
     const regime::AttractorTable none;
-    attractors::MultiStartPool pool(scene, none, [&](auto cell) { solved = std::move(cell.cell); });
+    attractors::MultiStartPool pool(scene, none, [&](auto& cell) { solved = std::move(cell.cell); });
     pool.add(0, 0, 0);
     while (!pool.empty()) pool.step();
     return solved;
