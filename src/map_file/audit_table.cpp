@@ -14,8 +14,7 @@ namespace {
 
 constexpr double not_audited = regime::regime_not_computed;
 constexpr const char* agrees = "agrees";
-constexpr const char* force_error = "force_error";
-constexpr const char* filled_force_error = "filled_force_error";
+constexpr const char* of_force = "force_error";
 constexpr const char* sensitivity = "sensitivity";
 constexpr const char* starts = "starts";
 constexpr const char* rigs = "rigs";
@@ -36,11 +35,10 @@ constexpr hdf5::Variable columns[] = {
     {"impacts", hdf5::Number::int32, -1, "1", "impacts p of z = p/q by it"},
     {"period", hdf5::Number::int32, -1, "1", "period q of z = p/q by it in forcing cycles"},
     {"peak_force_ratio", hdf5::Number::float64, regime::unknown, "1", "peak impact force over hammer weight by it, F/(m g0)"},
-    {force_error, hdf5::Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare, as in filled cells"},
+    {of_force, hdf5::Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare, as in filled cells"},
     {sensitivity, hdf5::Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label depends on rounding; NaN where they agree"},
     {agrees, hdf5::Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
-constexpr hdf5::Variable filled_column{filled_force_error, hdf5::Number::float64, regime::unknown, "1", "relative error of a filled cell's interpolated peak force against it; NaN in computed cells, and where there is nothing to compare"};
 constexpr hdf5::Variable start_columns[] = {
     {starts, hdf5::Number::int32, -1, "1", "starts of the cell solved again, each in full, by the independent engine"},
     {"starts_elsewhere", hdf5::Number::int32, -1, "1", "of these, how many end on another attractor than the map says"},
@@ -122,6 +120,13 @@ AuditReport report(std::span<const AuditRow> rows) {
     return report;
 }
 
+double force_error(const quantities::StoredCell& cell, const quantities::StoredCell& again) {
+    const bool settled =
+        again.regime == regime::Regime::periodic || again.regime == regime::Regime::sustained_contact;
+    if (!settled || !regime::same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
+    return std::abs(cell.peak_force / again.peak_force - 1);
+}
+
 std::int64_t audit_rows(const job::Job& job) {
     return std::min(job.audit.cells, job.cells());
 }
@@ -136,7 +141,6 @@ std::vector<DatasetPlan> audit_plans(const job::Job& job) {
         for (const hdf5::Variable& column : more) plans.push_back({"/audit", column, {dimension}});
         plans.push_back({"/audit", agreeing, {}});
     };
-    if (job.refine.levels > 0) plans.push_back({"/audit", filled_column, {dimension}});
     if (job.starts.count > 0) add(start_columns, agreeing_starts);
     if (job.uncertainty.rigs > 0) add(rig_columns, agreeing_rigs);
     for (const hdf5::Variable& result : results) plans.push_back({"/audit", result, {}});
@@ -170,9 +174,8 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
     put("impacts", index, row.again.impacts);
     put("period", index, row.again.period);
     put("peak_force_ratio", index, row.again.peak_force);
-    put(force_error, index, row.force_error);
+    put(of_force, index, row.force_error);
     put(sensitivity, index, row.sensitivity);
-    if (has_filled_) put(filled_force_error, index, row.filled_force_error);
     if (has_starts_) put(starts, index, row.starts);
     if (has_rigs_) put(rigs, index, row.rigs);
     hdf5::Stored(map_, seconds_path, hdf5::Number::float64).write(hdf5::Block(index, 1), &row.seconds);
@@ -180,7 +183,11 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
 }
 
 std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
-    const auto errors = read_column<double>(map_, path_of(force_error), count);
+    const auto errors = read_column<double>(map_, path_of(of_force), count);
+    const auto regimes = read_column<std::int8_t>(map_, path_of("regime"), count);
+    const auto impacts = read_column<std::int32_t>(map_, path_of("impacts"), count);
+    const auto periods = read_column<std::int32_t>(map_, path_of("period"), count);
+    const auto forces = read_column<double>(map_, path_of("peak_force_ratio"), count);
     const auto places = read_column<std::int64_t>(map_, path_of("cell"), count);
     const auto growths = read_column<double>(map_, path_of(sensitivity), count);
     const auto marks = read_column<std::int8_t>(map_, path_of(agrees), count);
@@ -188,14 +195,14 @@ std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
     std::vector<AuditRow> rows(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].cell = places[i];
+        rows[i].again.regime = static_cast<regime::Regime>(regimes[i]);
+        rows[i].again.impacts = impacts[i];
+        rows[i].again.period = periods[i];
+        rows[i].again.peak_force = forces[i];
         rows[i].force_error = errors[i];
         rows[i].sensitivity = growths[i];
         rows[i].agrees = marks[i] == 1;
         rows[i].seconds = times[i];
-    }
-    if (has_filled_) {
-        const auto of_filled = read_column<double>(map_, path_of(filled_force_error), count);
-        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].filled_force_error = of_filled[i];
     }
     const auto of_starts = has_starts_ ? read_tries(starts, count) : std::vector<AuditedTries>(rows.size());
     const auto of_rigs = has_rigs_ ? read_tries(rigs, count) : std::vector<AuditedTries>(rows.size());

@@ -30,7 +30,7 @@ struct AuditRow {
     std::int64_t column = 0;
     quantities::StoredCell again;          // the independent result
     double force_error = regime::unknown;  // of the map relative to it; NaN if there is nothing to compare
-    double filled_force_error = regime::unknown;  // the same of a force interpolated in a filled cell
+    double filled_force_error = regime::unknown;  // of a force interpolated in a filled cell; not in the table
     double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
                                            // in either run
     bool agrees = false;                   // same regime, and the same p/q where it is periodic
@@ -66,6 +66,10 @@ struct AuditReport {
 };
 [[nodiscard]] AuditReport report(std::span<const AuditRow> rows);
 
+// Relative error of the peak force of a cell of the map against the independent result; NaN if there is nothing
+// to compare: the largest force of a motion without a period depends on the window in which it was observed.
+[[nodiscard]] double force_error(const quantities::StoredCell& cell, const quantities::StoredCell& again);
+
 // Rows of the table: audit.cells of the job, or all cells of a smaller map.
 [[nodiscard]] std::int64_t audit_rows(const job::Job& job);
 
@@ -78,10 +82,7 @@ class AuditTable {
   public:
     // The table has columns for starts and drawn rigs where the job has these.
     AuditTable(const hdf5::OpenMap& map, const job::Job& job)
-        : map_(map),
-          has_filled_(job.refine.levels > 0),
-          has_starts_(job.starts.count > 0),
-          has_rigs_(job.uncertainty.rigs > 0) {}
+        : map_(map), has_starts_(job.starts.count > 0), has_rigs_(job.uncertainty.rigs > 0) {}
 
     [[nodiscard]] bool has(std::int64_t index) const;
     void write(std::int64_t index, const AuditRow& row) const;
@@ -96,7 +97,6 @@ class AuditTable {
     void put(const char* name, std::int64_t index, Value value) const;
 
     hdf5::OpenMap map_;
-    bool has_filled_;
     bool has_starts_;
     bool has_rigs_;
 };

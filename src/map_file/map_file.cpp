@@ -179,7 +179,11 @@ std::optional<AuditReport> MapFile::audit_report() {
         rows = audit().read(audit_rows_);
         if (job_.refine.levels == 0) return;
         const std::int64_t columns = job_.columns.points;
-        for (AuditRow& row : rows) row.computed = read_cell(row.cell / columns, row.cell % columns).computed;
+        for (AuditRow& row : rows) {
+            const quantities::StoredCell cell = read_cell(row.cell / columns, row.cell % columns);
+            row.computed = cell.computed;
+            if (!cell.computed) row.filled_force_error = force_error(cell, row.again);
+        }
     });
     return report(rows);
 }

@@ -18,13 +18,6 @@ using map_file::AuditRow;
 using quantities::StoredCell;
 using regime::Regime;
 
-// The largest force of a motion without a period depends on the window in which it was observed.
-double force_error(const StoredCell& cell, const StoredCell& again) {
-    const bool settled = again.regime == Regime::periodic || again.regime == Regime::sustained_contact;
-    if (!settled || !regime::same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
-    return std::abs(cell.peak_force / again.peak_force - 1);
-}
-
 // The larger of the sensitivities of the map's own run and of the repeated solution.
 double largest_sensitivity(const scene::Scene& scene, std::int64_t row, std::int64_t column,
                            const StoredCell& again) {
@@ -76,14 +69,12 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
     const StoredCell again = quantities::in_file_units(regime::solve_again(scene, row, column, first.engine),
                                                        scene.cell(row, column).scales);
     const bool agrees = regime::same_label(first, again);
-    const double error = force_error(first, again);
     const AuditedCell tries = first.computed ? audit_tries(scene, row, column) : AuditedCell{};
     return {.cell = cell,
             .row = row,
             .column = column,
             .again = again,
-            .force_error = first.computed ? error : regime::unknown,
-            .filled_force_error = first.computed ? regime::unknown : error,
+            .force_error = first.computed ? map_file::force_error(first, again) : regime::unknown,
             .sensitivity = agrees ? regime::unknown : largest_sensitivity(scene, row, column, again),
             .agrees = agrees,
             .computed = first.computed,
