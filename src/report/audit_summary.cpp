@@ -80,9 +80,9 @@ std::string audit_summary(const map_file::AuditReport& audit, double seconds_per
             readable_count(audit.compared), audit.filled > 0 ? "computed " : "");
     }
     if (audit.compared_filled > 0) {
-        text += fmt::format("  interpolated forces off by {:.1e} (median), {:.1e} (largest) in {} filled cells\n",
-                            audit.median_filled_error, audit.largest_filled_error,
-                            readable_count(audit.compared_filled));
+        text += fmt::format(
+            "  interpolated forces off by {:.1e} (median), {:.1e} (largest) in {} filled cells\n",
+            audit.median_filled_error, audit.largest_filled_error, readable_count(audit.compared_filled));
     }
     text += audited_tries("starts", audit.starts, "end on the attractor");
     text += audited_tries("rigs", audit.rigs, "have the outcome");
