@@ -131,16 +131,17 @@ std::string starts_summary(const scene::Scene& scene, const StartFindings& findi
     std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
     text += numbers(counts) + failing(counts) + commonest_pairs(findings);
     text +=
-        fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}{}\n",
-                    readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells),
-                    of_kept(counts));
+        fmt::format("  motions with impacts and without{}: {} of the cells; none with impacts is known: {}\n",
+                    of_kept(counts), readable_share(counts.mixed, counts.cells),
+                    readable_share(counts.never_hit, counts.cells));
     text += what_is_known(counts);
     text += fmt::format("  {} another attractor than most starts in {} of the cells\n",
                         job.kind == job::Kind::sweep ? "a branch is on" : "[start] ends on",
                         readable_share(counts.minority, counts.cells));
     if (counts.not_kept > 0)
-        text += fmt::format("  of these on none of the attractors that are kept: {}\n",
-                            readable_share(counts.not_kept, counts.cells));
+        text += fmt::format(
+            "  among them those that end on none of the attractors that are kept: {} of the cells\n",
+            readable_share(counts.not_kept, counts.cells));
     if (counts.left_over > 0)
         text += fmt::format(
             "  {} cells have more attractors than starts.attractors keeps; the others may be unresolved or "

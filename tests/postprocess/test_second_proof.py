@@ -10,7 +10,7 @@ from peterka.second_proof import cells, guessing, shooting
 from peterka.files.job_numbers import numbers_of_cell
 from peterka.second_proof.balls import Ball, Series, Undecided, one, zero
 from peterka.second_proof.cells import CONFIRMED, CONTRADICTED, NOT_DECIDED, Claim, rig_of, verdict_of
-from peterka.second_proof.motion import DEPTH, PRESSURE, TIME, Phase, Step
+from peterka.second_proof.motion import DEPTH, PRESSURE, TIME, Phase, Rig, Step
 from scipy.integrate import solve_ivp
 
 NUMBERS = {"hammer.mass_kg": 0.298, "hammer.natural_frequency_hz": 4.5, "hammer.damping_ns_per_m": 0.06, "cart.amplitude_m": 0.89e-3,
@@ -322,6 +322,71 @@ def test_a_guess_follows_the_equation():
     state, events = guessing.follow(rig_of(numbers), np.array([-2.0, 1.0]), 0.45, 0.25)
     end = solve_ivp(change_of(numbers, False), (0.25, 0.45), [-2.0, 1.0], "DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
     assert state == pytest.approx(end, rel=1e-8) and events == []
+
+
+def swing_through_the_stop(eta, chi, kappa, share, zeta=0.05):
+    """(rig, guess): the steady motion without a stop, whose gap is a share of its amplitude; with the moment when P falls through 0 as an event."""
+    s, turn = 2 * np.pi / eta, 2 * np.pi
+    response = turn**2 / (s**2 - turn**2 + 2j * zeta * s * turn)
+    gap, top = share * abs(response), (0.25 - np.angle(response) / turn) % 1
+
+    def state(time):
+        turned = response * np.exp(1j * turn * time)
+        return turned.imag, turn * turned.real
+
+    def pressure(time):
+        return kappa * (state(time)[0] - gap) + chi * state(time)[1] / s
+
+    begin = round((top - 0.4) % 1 * 2**20) / 2**20
+    release = scipy.optimize.brentq(pressure, top, top + 0.24)
+    rig = Rig(*map(Ball.of, (eta, zeta, kappa, chi, gap, 0.0)), absolute=False, unit=one())
+    return rig, shooting.Guess(begin, state(begin), [(release + (release < begin), shooting.RELEASE)], 1)
+
+
+@pytest.mark.parametrize("numbers", [(0.5, 50, 1, 0.997), (0.7, 20, 0.5, 0.998), (1, 100, 10, 0.998), (1, 10, 100, 0.9999)])
+def test_a_release_without_a_contact_proves_nothing(numbers):
+    """A strong dashpot's P falls while the hammer is still before the stop, so that no one looks whether it touches this."""
+    with pytest.raises(Undecided, match="an event that can't follow"):
+        shooting.prove(*swing_through_the_stop(*numbers))
+
+
+@pytest.mark.parametrize("kinds", [[shooting.BOUNCE], [shooting.TOUCH, shooting.TOUCH], [shooting.TOUCH, shooting.RENEWED], [shooting.RELEASE, shooting.TOUCH]])
+def test_events_follow_from_the_phase(kinds):
+    rig, guess = guessed()
+    times = [time for time, _ in guess.events]
+    with pytest.raises(Undecided, match="an event that can't follow"):
+        shooting.prove(rig, replace(guess, events=list(zip(times, kinds))))
+
+
+def test_a_rigid_stop_has_bounces_alone():
+    claim = rigid_claim(RIGID, 1)
+    guess = guessing.guess_of(rig_of(RIGID), claim.displacement, claim.velocity, 1)
+    with pytest.raises(Undecided, match="an event that can't follow"):
+        shooting.prove(rig_of(RIGID), replace(guess, events=[(time, shooting.TOUCH) for time, _ in guess.events]))
+
+
+def test_the_zero_of_the_middle_lies_among_those_of_the_box(monkeypatch):
+    around, found = shooting._around, []
+
+    def shifted(series, theta, direction):
+        found.append(around(series, theta, direction))
+        return found[-1] if len(found) % 2 == 0 else Ball(found[-1].middle + (1 << 150), found[-1].radius)
+
+    monkeypatch.setattr(shooting, "_around", shifted)
+    rig, guess = guessed()
+    with pytest.raises(Undecided, match="an event that isn't enclosed"):
+        shooting.Shot(rig, guess, tuple(map(Ball.of, guess.state)), 1 << 60)
+
+
+@pytest.mark.parametrize("before", [1e-12, 2.0**-19])
+def test_a_guess_may_begin_at_the_end_of_the_period(monkeypatch, before):
+    """Which is its beginning."""
+    follow = guessing.follow
+    events = [(0.5 - 2 * before, shooting.TOUCH), (0.5, shooting.RELEASE)]
+    monkeypatch.setattr(guessing, "follow", lambda rig, state, until, time=0.0: (np.zeros(2), events))
+    guess = guessing.guess_of(guessed()[0], 0.0, 0.0, 1)
+    assert 0 <= guess.time < 1 and (guess.time == 0) == (before < 1e-6)
+    monkeypatch.setattr(guessing, "follow", follow)
 
 
 @pytest.mark.parametrize("numbers, claim, most", [(NUMBERS, CLAIM, 400), (ABSOLUTE, OF_ABSOLUTE, 130)], ids=["linear", "cubic"])

@@ -52,7 +52,8 @@ TEST(StartsSummary, SaysWhereMoreAreFoundThanKept) {
     EXPECT_EQ(text_of(counts).find("have more attractors"), std::string::npos) << text_of(counts);
     counts.not_kept = 1;
     counts.left_over = 3;
-    EXPECT_NE(text_of(counts).find("of these on none of the attractors that are kept: 0.5 %\n"),
+    EXPECT_NE(text_of(counts).find(
+                  "among them those that end on none of the attractors that are kept: 0.5 % of the cells\n"),
               std::string::npos)
         << text_of(counts);
     EXPECT_NE(text_of(counts).find("3 cells have more attractors than"), std::string::npos) << text_of(counts);

@@ -78,12 +78,12 @@ def draw_probability(file: PeterkaFile, ax: Axes | None = None, *, probability: 
 
 @picture(PeterkaFile)
 def draw_force(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
-    """The force that all but 5 % of the drawn rigs reach, or impact speed; 0 where more of them don't impact. None without one."""
+    """The force that all but 5 % of the drawn rigs reach, or impact speed; 0 where more of them don't impact or fail. None without one."""
     draws, name = draws_of(file), quantiles(file.data)[ASSURED]
     needed = draws_needed(1 - ASSURED / 100)
     few = [f"{draws.count} draws are too few to assure it: {needed} could"] if draws.count < needed else []
     field = Field(name, _is_computed, ("failed",), lambda largest: _scale(file, name, largest), told=_told(file, draws, few, place=False),
-                  zero=f"0: more than {ASSURED} % of the rigs don't impact")
+                  zero=f"0: more than {ASSURED} % of the rigs don't impact, or fail")
     return field_map.draw(file, field, ax)
 
 

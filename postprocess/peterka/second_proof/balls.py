@@ -73,7 +73,7 @@ class Ball:
     def __truediv__(self, other: Ball) -> Ball:
         least = abs(other.middle) - other.radius
         if least <= 0:
-            raise Undecided("a divisor that may be 0")
+            raise Undecided("a divisor that may be 0 (near a grazing, or where the orbit ends)")
         spread = abs(other.middle) * self.radius + abs(self.middle) * other.radius
         return Ball((self.middle << Ball.bits) // other.middle, (spread << Ball.bits) // (least * abs(other.middle)) + 2)
 

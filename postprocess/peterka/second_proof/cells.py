@@ -37,19 +37,19 @@ class Verdict:
 
 def rig_of(numbers: Mapping[str, Any]) -> Rig:
     """The equation's numbers, from doubles that are taken as exact; of two keys for the same one is given."""
-    def ball(name: str) -> Ball:
-        return Ball.of(float(numbers.get(name, 0)))
+    def ball(name: str, absent: float | None = None) -> Ball:
+        return Ball.of(float(numbers[name] if absent is None else numbers.get(name, absent)))
 
-    mass, amplitude, stiffness = ball("hammer.mass_kg"), ball("cart.amplitude_m"), ball("hammer.stiffness_n_per_m")
-    omega = pi().times(2) * ball("hammer.natural_frequency_hz") if "hammer.natural_frequency_hz" in numbers else (stiffness / mass).sqrt()
+    mass, amplitude, natural = ball("hammer.mass_kg"), ball("cart.amplitude_m"), "hammer.natural_frequency_hz"
+    omega = pi().times(2) * ball(natural) if natural in numbers else (ball("hammer.stiffness_n_per_m") / mass).sqrt()
     stiffness, impedance, rigid = mass * omega * omega, mass * omega, numbers.get("contact.law") == "restitution"
     place, cubic = "operating_point.", "hammer.cubic_stiffness_n_per_m3"
     return Rig(
-        frequency=ball(place + "frequency_ratio") + pi().times(2) * ball(place + "frequency_hz") / omega,
-        damping_ratio=ball("hammer.damping_ratio") + ball("hammer.damping_ns_per_m") / impedance.times(2),
+        frequency=ball(place + "frequency_ratio", 0) + pi().times(2) * ball(place + "frequency_hz", 0) / omega,
+        damping_ratio=ball("hammer.damping_ratio", 0) + ball("hammer.damping_ns_per_m", 0) / impedance.times(2),
         stiffness=zero() if rigid else ball("contact.stiffness_n_per_m") / stiffness,
         damping=zero() if rigid else ball("contact.damping_ns_per_m") / impedance,
-        gap=ball(place + "gap_ratio") + ball(place + "gap_m") / amplitude,
+        gap=ball(place + "gap_ratio", 0) + ball(place + "gap_m", 0) / amplitude,
         cubic=ball(cubic) * amplitude * amplitude / stiffness if numbers.get(cubic) else zero(),
         absolute=numbers.get("hammer.cubic") == "absolute",
         unit=omega * amplitude if rigid else omega * omega * amplitude / (Ball.of(980665) / Ball.of(100000)),

@@ -61,7 +61,7 @@ def guess_of(rig: Rig, displacement: float, velocity: float, period: int) -> Gue
     times = [time for time, _ in events]
     longest, release = max((after - time, time) for (time, kind), after in zip(events, [*times[1:], times[0] + period], strict=True)
                            if kind in (RELEASE, BOUNCE))
-    begin = round((release + longest / 2) % period * 2**20) / 2**20
+    begin = round((release + longest / 2) * 2**20) / 2**20 % period
     state = follow(rig, found.x, begin)[0]
     around = sorted((time + period * (time < begin), kind) for time, kind in events)
     return Guess(begin, (float(state[0]), float(state[1])), around, period)

@@ -103,17 +103,19 @@ class Shot:
 
     def _arrive(self, step: Step, end: Ball, event: str) -> None:
         """On a surface, and through its event."""
-        name, direction = _SURFACE[event]
+        (name, direction), rig = _SURFACE[event], step.phase.rig
+        if event and (event == BOUNCE) != (rig.restitution is not None) or (event and self._pressed != (event == RELEASE)):
+            raise Undecided("an event that can't follow")
         of_point, of_cloud = (step.surface(name, path, end) for path in (step.point, step.cloud))
         by_time, by_place, by_speed = step.phase.normal(name)
         theta = _zero_of(of_point)
         at_point, between = _around(of_point, theta, direction), _around(of_cloud, theta, direction)
+        if self._radius and not between.holds(at_point):
+            raise Undecided("an event that isn't enclosed (near a grazing)")
         speed = of_cloud.slope().at(between) / step.length
-        if not _has_sign(speed, direction):
-            raise Undecided("an event without a definite speed (near a grazing)")
         self._show(step, between.high, event)
-        state, rig = step.state(step.cloud, between), step.phase.rig
-        acceleration, projected = step.phase.accelerations(state, [])[0], []
+        state, projected = step.state(step.cloud, between), []
+        acceleration = step.phase.accelerations(state, [])[0]
         for since, v, w in step.changes(between):
             shift = -((by_time * since + by_place * v + by_speed * w) / speed)
             projected.append((since + shift, v + shift * state[2], w + shift * acceleration))

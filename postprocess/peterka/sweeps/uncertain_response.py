@@ -1,7 +1,7 @@
 """Frequency response of uncertain rigs: per gap, the band that holds the peak forces of all but the lowest and the highest 5 % of the
 drawn rigs, their median, and the branches of the job's own rig, with measured points over them.
 
-Drawn rigs begin at starts of their own, not where a branch is, so that all branches of a gap have the same band. A rig that doesn't impact counts with force 0. Without forces, as on a rigid stop, the band is that of impact speeds.
+Drawn rigs begin at starts of their own, not where a branch is, so that all branches of a gap have the same band. A rig that doesn't impact, or that failed, counts with force 0. Without forces, as on a rigid stop, the band is that of impact speeds.
 """
 
 from collections.abc import Iterable
