@@ -5,12 +5,17 @@
 #include <cstddef>
 #include <iterator>
 
+#include "job/axis.hpp"
 #include "regime/scalar_engine.hpp"
 #include "regime/solve_cell.hpp"
 
 namespace peterka::regime {
 
 namespace {
+
+double blow(const CellResult& cell) {
+    return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
+}
 
 // Columns in the order in which a branch visits them.
 std::vector<std::int64_t> columns_of(const scene::Scene& scene, job::Direction direction) {
@@ -38,10 +43,15 @@ class JumpSearch {
         return change > least_ratio(column) * std::max(slope_after(column - 1), slope_after(column + 1));
     }
 
-  private:
-    static double blow(const CellResult& cell) {
-        return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
+    // Whether a step between motions with a period may hold a jump, though it is no steeper than the way into a
+    // fold may be: they differ in kind, or it is steeper than the steps beside it.
+    [[nodiscard]] bool may_jump_after(std::int64_t column) const {
+        const double change = slope_after(column);
+        return change > least_change_ && (!same_label(cell(column), cell(column + 1)) ||
+                                          change > std::max(slope_after(column - 1), slope_after(column + 1)));
     }
+
+  private:
     [[nodiscard]] bool has(std::int64_t column) const { return column >= 0 && column < std::ssize(points_); }
     [[nodiscard]] const CellResult& cell(std::int64_t column) const {
         return points_[static_cast<std::size_t>(column)].cell;
@@ -120,6 +130,58 @@ scene::State<double> start_from(const Ended& last, const scene::Cell& cell) {
     return {std::min(delta, std::max(last.state[0] * length, 0.0)), last.state[1] * length * rate - cart_speed};
 }
 
+// The motion on which a point ends, from that of the one before, and where it ends; nothing there without a
+// proof.
+CellResult follow(const scene::Scene& scene, scene::Cell& cell, std::optional<Ended>& last,
+                  SteadyMotion& motion, const std::function<void()>& look) {
+    if (last) cell.start = start_from(*last, cell);
+    CycleBroker broker;
+    const Task<CellResult> search = solve_cell(broker, scene.job(), cell, {}, &motion);
+    run(search, broker, look);
+    if (motion.end) last = ended(cell, *motion.end);
+    return search.result();
+}
+
+// Whether more than half of the change from one point to the next comes at once: in a thousandth of the step,
+// which ten halvings, each towards the larger change, leave. What begins or ends like a square root changes so
+// much there only if less than 0.4 % of the step lie beyond its end. Not if a motion lies between whose period
+// is that of neither end, nor doubled, as where windows of chaos follow each other.
+bool jumps_within(const scene::Scene& scene, std::int64_t row, const BranchPoint& from, const BranchPoint& to,
+                  std::int64_t column, const std::function<void()>& look) {
+    constexpr std::int64_t parts = 1024;
+    const bool down = scene.job().sweep.branch(row).direction == job::Direction::down;
+    if (!from.motion.end) return false;
+    job::Job job = scene.job();
+    job.columns.from = job::axis_value(scene.job().columns, column);
+    job.columns.to = job::axis_value(scene.job().columns, column + 1);
+    job.columns.points = parts + 1;
+    const scene::Scene finer(job);
+    std::optional<Ended> last = ended(scene.cell(row, down ? column + 1 : column), *from.motion.end);
+    double before = blow(from.cell);
+    double after = blow(to.cell);
+    const double whole = std::abs(after - before);
+    std::int64_t begin = 0;
+    for (std::int64_t size = parts / 2; size > 0; size /= 2) {
+        SteadyMotion motion(1);
+        std::optional<Ended> middle = last;
+        scene::Cell cell = finer.cell(row, down ? parts - begin - size : begin + size);
+        const CellResult there = follow(finer, cell, middle, motion, look);
+        const auto is_of = [&](const CellResult& end) {
+            return there.period == end.period || there.period == 2 * end.period;
+        };
+        if (!has_period(there.regime) || !(is_of(from.cell) || is_of(to.cell)) || !motion.end) return false;
+        const double between = blow(there);
+        if (std::abs(between - before) > std::abs(after - between)) {
+            after = between;
+        } else {
+            begin += size;
+            before = between;
+            last = middle;
+        }
+    }
+    return std::abs(after - before) > whole / 2;
+}
+
 }  // namespace
 
 std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
@@ -132,16 +194,10 @@ std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t r
         auto& [result, motion, gap] = points[static_cast<std::size_t>(column)];
         scene::Cell cell = scene.cell(row, column);
         gap = cell.oscillator.gap;
-        if (last) cell.start = start_from(*last, cell);
-        CycleBroker broker;
-        const Task<CellResult> search = solve_cell(broker, scene.job(), cell, {}, &motion);
-        run(search, broker, look);
-        result = search.result();
-        if (motion.end && branch.direction != job::Direction::independent) {
-            last = ended(cell, *motion.end);
-        }
+        result = follow(scene, cell, last, motion, look);
+        if (branch.direction == job::Direction::independent) last.reset();
     }
-    mark_jumps(points, branch.direction);
+    mark_jumps(scene, row, points, look);
     return points;
 }
 
@@ -150,6 +206,22 @@ void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction) {
     for (std::int64_t column = 0; column + 1 < std::ssize(points); ++column) {
         const std::int64_t reached = direction == job::Direction::down ? column : column + 1;
         points[static_cast<std::size_t>(reached)].cell.jump = search.jumps_after(column);
+    }
+}
+
+void mark_jumps(const scene::Scene& scene, std::int64_t row, std::vector<BranchPoint>& points,
+                const std::function<void()>& look) {
+    const job::Direction direction = scene.job().sweep.branch(row).direction;
+    mark_jumps(points, direction);
+    if (direction == job::Direction::independent) return;
+    const JumpSearch search(points);
+    for (std::int64_t column = 0; column + 1 < std::ssize(points); ++column) {
+        BranchPoint& before = points[static_cast<std::size_t>(column)];
+        BranchPoint& after = points[static_cast<std::size_t>(column + 1)];
+        const bool down = direction == job::Direction::down;
+        BranchPoint& reached = down ? before : after;
+        if (reached.cell.jump || !search.may_jump_after(column)) continue;
+        reached.cell.jump = jumps_within(scene, row, down ? after : before, reached, column, look);
     }
 }
 

@@ -43,4 +43,11 @@ struct BranchPoint {
 // ends where the change exceeds twice each of the four before and after it.
 void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
 
+// The same for a branch of a sweep, and, as the way into a fold may be as steep as what follows: where the
+// change exceeds a twentieth of the branch's largest between motions with a period that differ in kind, or by
+// more than in the steps beside it, the step is halved ten times towards the larger change, and holds a jump if
+// more than half of the change is left. Not of independent starts.
+void mark_jumps(const scene::Scene& scene, std::int64_t row, std::vector<BranchPoint>& points,
+                const std::function<void()>& look);
+
 }  // namespace peterka::regime

@@ -164,3 +164,42 @@ def test_jumps_on_a_rigid_stop_are_those_of_its_impact_speed(tmp_path):
     line = next(line for line in said["with"].splitlines() if "jumps" in line and "from" in line)
     assert "m/s)" in line or "(0 m/s)" in line, line
     assert "not looked for" not in said["without"] and " N)" not in line
+
+
+SHORT = """
+schema = 1
+kind = "sweep"
+title = "jumps"
+hammer = {{ mass_kg = {mass}, natural_frequency_hz = {frequency}, damping_ratio = {damping} }}
+cart = {{ amplitude_m = {amplitude} }}
+contact = {{ {contact} }}
+{axes}
+{table}direction = "both"
+"""
+AT_THE_END_OF_ONE_TO_ONE = SHORT.format(
+    mass=0.026956780316263303, frequency=91.5466686315967, damping=0.33349408866349156, amplitude=0.0010481726027248997,
+    contact='law = "kelvin_voigt", stiffness_n_per_m = 239080517.99853033, damping_ns_per_m = 4371.270871173238',
+    axes="operating_point = { frequency_ratio = 1.0890477694361473 }\naxes = { gap_ratio = { from = 0.0, to = 3.0, points = 200 } }",
+    table="[sweep]\n")
+IN_BOTH_DIRECTIONS = SHORT.format(
+    mass=9.554784443245921, frequency=96.05453625360211, damping=0.02627300980762227, amplitude=0.0015601553022052009,
+    contact='law = "kelvin_voigt", stiffness_n_per_m = 618411463.130419, damping_ns_per_m = 25728.45330440762',
+    axes="axes = { frequency_ratio = { from = 0.5, to = 4.0, points = 150 } }", table="[sweep]\ngap_ratio = [0.2593707282862796]\n")
+STEEP_BUT_CONTINUOUS = SHORT.format(
+    mass=0.13064352033348822, frequency=2.5458020047238885, damping=0.01, amplitude=0.00020175194053459136,
+    contact='law = "restitution", coefficient = 0.11273362834652521',
+    axes="operating_point = { gap_ratio = 0.6558523100259113 }\naxes = { frequency_ratio = { from = 0.5, to = 4.0, points = 400 } }",
+    table='[output]\nfields = ["impact_speed"]\n[sweep]\n')
+
+
+@pytest.mark.parametrize("text, up, down", [(AT_THE_END_OF_ONE_TO_ONE, [107], [104]), (IN_BOTH_DIRECTIONS, [101], [99]),
+                                            (STEEP_BUT_CONTINUOUS, [], [])], ids=["end of 1/1", "both directions", "continuous"])
+def test_where_a_fold_ends_a_steep_way_there_is_a_jump(tmp_path, text, up, down):
+    """Each is one step of a sweep a hundred times finer, by another integrator, too; what begins like a square root is in many."""
+    for folder, more in (("plain", ""), ("proved", '[certificate]\ncells = "all"\nstarts = true\n')):
+        (tmp_path / folder).mkdir()
+        jobs.write(tmp_path / folder, text + more)
+        finished = launch.run("run", "job.toml", cwd=tmp_path / folder)
+        assert finished.returncode == 0, finished.stderr
+        with h5py.File(tmp_path / folder / "job.h5") as file:
+            assert [np.flatnonzero(branch).tolist() for branch in file["jump"][()]] == [up, down]
