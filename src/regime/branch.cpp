@@ -17,14 +17,6 @@ double blow(const CellResult& cell) {
     return std::isnan(cell.peak_force) ? cell.impact_speed : cell.peak_force;
 }
 
-// Columns in the order in which a branch visits them.
-std::vector<std::int64_t> columns_of(const scene::Scene& scene, job::Direction direction) {
-    std::vector<std::int64_t> columns;
-    for (std::int64_t column = 0; column < scene.columns(); ++column) columns.push_back(column);
-    if (direction == job::Direction::down) std::ranges::reverse(columns);
-    return columns;
-}
-
 // Finds jumps between neighbouring columns, whatever the direction.
 class JumpSearch {
   public:
@@ -108,13 +100,6 @@ class JumpSearch {
     double least_change_ = 0;
 };
 
-// The end of a motion, at forcing phase 0 of its cell.
-struct Ended {
-    scene::State<double> state;  // (delta, x'/(A0 omega))
-    double gap = 0;              // [A0]
-    scene::Scales scales;
-};
-
 Ended ended(const scene::Cell& cell, const scene::State<double>& end) {
     return {{end[0], end[1] + cell.oscillator.frequency}, cell.oscillator.gap, cell.scales};
 }
@@ -184,19 +169,29 @@ bool jumps_within(const scene::Scene& scene, std::int64_t row, const BranchPoint
 
 }  // namespace
 
+std::vector<std::int64_t> columns_of(const scene::Scene& scene, std::int64_t row) {
+    std::vector<std::int64_t> columns;
+    for (std::int64_t column = 0; column < scene.columns(); ++column) columns.push_back(column);
+    if (scene.job().sweep.branch(row).direction == job::Direction::down) std::ranges::reverse(columns);
+    return columns;
+}
+
+BranchPoint BranchWalk::to(std::int64_t column, const std::function<void()>& look) {
+    const job::Job& job = scene_.job();
+    scene::Cell cell = scene_.cell(row_, column);
+    BranchPoint point{{}, SteadyMotion(static_cast<std::size_t>(job.sweep.samples)), cell.oscillator.gap};
+    point.cell = follow(scene_, cell, last_, point.motion, look);
+    if (job.sweep.branch(row_).direction == job::Direction::independent) last_.reset();
+    return point;
+}
+
 std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
                                        const std::function<void()>& look) {
-    const job::Branch branch = scene.job().sweep.branch(row);
-    const auto samples = static_cast<std::size_t>(scene.job().sweep.samples);
-    std::vector<BranchPoint> points(static_cast<std::size_t>(scene.columns()), {{}, SteadyMotion(samples), 0});
-    std::optional<Ended> last;
-    for (const std::int64_t column : columns_of(scene, branch.direction)) {
-        auto& [result, motion, gap] = points[static_cast<std::size_t>(column)];
-        scene::Cell cell = scene.cell(row, column);
-        gap = cell.oscillator.gap;
-        result = follow(scene, cell, last, motion, look);
-        if (branch.direction == job::Direction::independent) last.reset();
-    }
+    BranchWalk walk(scene, row);
+    std::vector<BranchPoint> points;
+    const std::vector<std::int64_t> columns = columns_of(scene, row);
+    for (const std::int64_t column : columns) points.push_back(walk.to(column, look));
+    if (columns.front() > columns.back()) std::ranges::reverse(points);
     mark_jumps(scene, row, points, look);
     return points;
 }

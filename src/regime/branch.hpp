@@ -30,6 +30,29 @@ struct BranchPoint {
     double gap = 0;  // [A0]
 };
 
+// The columns of a branch in the order in which it visits them.
+[[nodiscard]] std::vector<std::int64_t> columns_of(const scene::Scene& scene, std::int64_t row);
+
+// The end of a motion, at forcing phase 0 of its cell.
+struct Ended {
+    scene::State<double> state;  // (delta, x'/(A0 omega))
+    double gap = 0;              // [A0]
+    scene::Scales scales;
+};
+
+// Follows a branch from point to point; columns that are left out make a longer step.
+class BranchWalk {
+  public:
+    // The scene must outlive this.
+    BranchWalk(const scene::Scene& scene, std::int64_t row) : scene_(scene), row_(row) {}
+    [[nodiscard]] BranchPoint to(std::int64_t column, const std::function<void()>& look);
+
+  private:
+    const scene::Scene& scene_;
+    std::int64_t row_;
+    std::optional<Ended> last_;
+};
+
 // The points in the order of the axis, whatever the direction. `look`, called periodically, may throw.
 [[nodiscard]] std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                      const std::function<void()>& look);

@@ -203,6 +203,47 @@ std::vector<double> times_of_parts(
     return seconds;
 }
 
+// Walks along branches in stretches of `points`, in a large sweep with a few longer steps between them so that
+// the motion is one that the branch is on, and returns the time that each stretch takes a point [s]. Ends after
+// a branch when they have taken `longest` [s], or in one that takes four times as long.
+std::vector<double> times_of_stretches(const scene::Scene& scene, std::int64_t most_stretches,
+                                       std::int64_t points, double longest,
+                                       const std::function<void(const cell::CellResult& cell)>& keep) {
+    constexpr std::int64_t least_of_a_branch = 16;
+    constexpr std::int64_t steps_between = 8;
+    const auto look = [] {};
+    const std::int64_t rows = scene.job().row_count();
+    const std::int64_t of_a_branch =
+        std::clamp<std::int64_t>(std::max(most_stretches / rows, least_of_a_branch), 1,
+                                 std::max<std::int64_t>(scene.columns() / points, 1));
+    std::vector<double> seconds;
+    const double start = processor_time();
+    const auto takes_longer_than = [&](double limit) { return processor_time() - start > limit; };
+    for (std::int64_t n = 0; n < rows && std::ssize(seconds) < most_stretches && !takes_longer_than(longest);
+         ++n) {
+        const std::int64_t row = spread_place(n, rows);
+        const std::vector<std::int64_t> columns = regime::columns_of(scene, row);
+        regime::BranchWalk walk(scene, row);
+        std::int64_t at = 0;  // in the order of the branch
+        for (std::int64_t i = 0; i < of_a_branch && !takes_longer_than(4 * longest); ++i) {
+            const std::int64_t end =
+                points + i * (scene.columns() - points) / std::max<std::int64_t>(of_a_branch - 1, 1);
+            const std::int64_t first = std::max(at, end - points);
+            const std::int64_t stride = std::max<std::int64_t>((first - at) / steps_between, 1);
+            const bool leaps = stride > 1;
+            for (; at < first; at = std::min(at + stride, first))
+                static_cast<void>(walk.to(columns[static_cast<std::size_t>(at)], look));
+            // the first point after a longer step isn't one of the branch's
+            if (leaps) static_cast<void>(walk.to(columns[static_cast<std::size_t>(at++)], look));
+            const std::int64_t kept = end - at;
+            const double begin = processor_time();
+            for (; at < end; ++at) keep(walk.to(columns[static_cast<std::size_t>(at)], look).cell);
+            if (kept > 0) seconds.push_back((processor_time() - begin) / static_cast<double>(kept));
+        }
+    }
+    return seconds;
+}
+
 // Time of the lives of a cell of a map or a point of a sweep [s], from what a share of noise.cycles and a
 // quarter of that take: motions that leave often end before their cycles do. counted: without noise.
 double seconds_of_lives(const job::Job& counted, const job::Job& noisy, std::int64_t cell, double share) {
@@ -253,7 +294,7 @@ double seconds_of_lives(const job::Job& counted, const job::Job& noisy, std::int
     return of_share + more * (1 - share);
 }
 
-// Each point of a branch but the first begins on the motion of the one before it. What is found from many
+// What is found from many
 // starts or rigs serves all branches of a gap.
 SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool integrates) {
     const std::int64_t most_points = integrates ? 3 : 12;
@@ -261,11 +302,16 @@ SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool in
     const auto look = [] {};
     const double begin = processor_time();
     Sample sample;
+    const std::int64_t given_up = asked.steady_state.max_cycles - job.steady_state.max_cycles;
+    const auto keep = [&](const cell::CellResult& cell) { take(sample, cell, given_up); };
+    // an integrator takes too long for whole branches
     const std::vector<double> branches =
-        times_of_parts(job, 512, points, 0.5, [&](const auto& part, std::int64_t row) {
-            for (const regime::BranchPoint& point : regime::follow_branch(part, row, look))
-                take(sample, point.cell, asked.steady_state.max_cycles - job.steady_state.max_cycles);
-        });
+        integrates ? times_of_parts(job, 512, points, 0.5,
+                                    [&](const auto& part, std::int64_t row) {
+                                        for (const auto& point : regime::follow_branch(part, row, look))
+                                            keep(point.cell);
+                                    })
+                   : times_of_stretches(scene::Scene(job), 512, points, 0.5, keep);
     const double all_cycles = std::max(sum(sample.cycles), 1.0);
     SampledCost cost{.cells = std::ssize(sample.cycles),
                      .cycles = all_cycles / static_cast<double>(sample.cycles.size()),

@@ -111,6 +111,26 @@ def test_the_audit_comes_on_top(tmp_path):
     assert of_audit(800) > 20 * of_audit(10) > 0
 
 
+ON_ANOTHER_MOTION = """
+schema = 1
+kind = "sweep"
+title = "away from the chaos that [start] leads to"
+hammer = { mass_kg = 0.16713276026144674, natural_frequency_hz = 43.728322747798465, damping_ratio = 0.01 }
+cart = { amplitude_m = 0.0004952750978304401 }
+contact = { law = "restitution", coefficient = 0.5972870821931787 }
+operating_point = { gap_ratio = 1.4497983412103812 }
+axes = { frequency_ratio = { from = 0.5, to = 4.0, points = 800 } }
+sweep = { direction = "both" }
+"""
+
+
+@pytest.mark.parametrize("points", [800, 40000])
+def test_a_sweep_is_priced_by_the_motions_that_its_branches_are_on(tmp_path, points):
+    """Where the branches don't impact, starts lead to chaos, of ten times as many cycles. The larger one is followed in stretches."""
+    jobs.write(tmp_path, ON_ANOTHER_MOTION.replace("points = 800", f"points = {points}"))
+    assert cycles(told(tmp_path)) == pytest.approx(counted(tmp_path), rel=0.3)
+
+
 def test_a_sweep_by_an_integrator_is_priced_as_one(tmp_path):
     jobs.write(tmp_path, jobs.small_sweep(points=41))
     exact, integrated = (seconds(told(tmp_path, f'solver.engine="{engine}"')["time"]) for engine in ("exact", "cvode"))
