@@ -190,6 +190,7 @@ std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t r
     BranchWalk walk(scene, row);
     std::vector<BranchPoint> points;
     const std::vector<std::int64_t> columns = columns_of(scene, row);
+    points.reserve(columns.size());
     for (const std::int64_t column : columns) points.push_back(walk.to(column, look));
     if (columns.front() > columns.back()) std::ranges::reverse(points);
     mark_jumps(scene, row, points, look);
