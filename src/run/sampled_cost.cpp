@@ -213,9 +213,8 @@ std::vector<double> times_of_stretches(const scene::Scene& scene, std::int64_t m
     constexpr std::int64_t steps_between = 8;
     const auto look = [] {};
     const std::int64_t rows = scene.job().row_count();
-    const std::int64_t of_a_branch =
-        std::clamp<std::int64_t>(std::max(most_stretches / rows, least_of_a_branch), 1,
-                                 std::max<std::int64_t>(scene.columns() / points, 1));
+    const std::int64_t fit = (scene.columns() + points - 1) / points;
+    const std::int64_t of_a_branch = std::min(fit, std::max(most_stretches / rows, least_of_a_branch));
     std::vector<double> seconds;
     const double start = processor_time();
     const auto takes_longer_than = [&](double limit) { return processor_time() - start > limit; };

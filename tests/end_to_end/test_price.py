@@ -124,7 +124,7 @@ sweep = { direction = "both" }
 """
 
 
-@pytest.mark.parametrize("points", [800, 40000])
+@pytest.mark.parametrize("points", [20, 800, 40000])
 def test_a_sweep_is_priced_by_the_motions_that_its_branches_are_on(tmp_path, points):
     """Where the branches don't impact, starts lead to chaos, of ten times as many cycles. The larger one is followed in stretches."""
     jobs.write(tmp_path, ON_ANOTHER_MOTION.replace("points = 800", f"points = {points}"))
