@@ -193,7 +193,6 @@ std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t r
     points.reserve(columns.size());
     for (const std::int64_t column : columns) points.push_back(walk.to(column, look));
     if (columns.front() > columns.back()) std::ranges::reverse(points);
-    mark_jumps(scene, row, points, look);
     return points;
 }
 

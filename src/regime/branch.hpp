@@ -53,7 +53,8 @@ class BranchWalk {
     std::optional<Ended> last_;
 };
 
-// The points in the order of the axis, whatever the direction. `look`, called periodically, may throw.
+// The points in the order of the axis, whatever the direction, without their jumps. `look`, called
+// periodically, may throw.
 [[nodiscard]] std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                      const std::function<void()>& look);
 

@@ -293,8 +293,7 @@ double seconds_of_lives(const job::Job& counted, const job::Job& noisy, std::int
     return of_share + more * (1 - share);
 }
 
-// What is found from many
-// starts or rigs serves all branches of a gap.
+// What is found from many starts or rigs serves all branches of a gap.
 SampledCost cost_of_branches(const job::Job& asked, const job::Job& job, bool integrates) {
     const std::int64_t most_points = integrates ? 3 : 12;
     const std::int64_t points = std::min(most_points, job.columns.points);

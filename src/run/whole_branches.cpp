@@ -82,7 +82,7 @@ std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whol
                 elasticities.add_to(row, static_cast<std::int64_t>(column), branch[column].cell);
                 add_mean_life(scene, row, static_cast<std::int64_t>(column), branch[column].cell);
             }
-            if (scene.job().certificate.starts) regime::mark_jumps(scene, row, branch, poll);
+            regime::mark_jumps(scene, row, branch, poll);
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));
         }

@@ -27,7 +27,10 @@ job::Job sweep_job(double gap, double from, double to, std::int64_t points, Dire
 }
 
 std::vector<BranchPoint> branch(const job::Job& job) {
-    return follow_branch(scene::Scene(job), 0, [] {});
+    const scene::Scene scene(job);
+    std::vector<BranchPoint> points = follow_branch(scene, 0, [] {});
+    mark_jumps(scene, 0, points, [] {});
+    return points;
 }
 
 bool is(const CellResult& cell, int impacts, int period) {
